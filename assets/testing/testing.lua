@@ -214,6 +214,14 @@ local function set_input(device, name, value)
     if not ok then error((string.gsub(tostring(why), "^[%w_/.-]+%.lua:%d+: ", "")), 3) end
 end
 
+-- A press of a key or button that is down already would be none.
+local function check_up(device, name, what)
+    local ok, down = pcall(function() return device[name] end)
+    if ok and down == true then
+        error(what .. ": " .. tostring(name) .. " is held down already; release it first", 3)
+    end
+end
+
 local function check_count(value, what, level)
     check_number(value, what, level + 1)
     if value ~= math.floor(value) then error(what .. ", a whole one, not " .. shown(value), level + 1) end
@@ -253,12 +261,14 @@ function t:release(key) set_input(game.input.keys, key, false) end
 
 function t:hold(key, steps)
     check_count(steps, "t:hold needs a key and a number of steps", 2)
+    check_up(game.input.keys, key, "t:hold")
     set_input(game.input.keys, key, true)
     wait_steps(steps)
     set_input(game.input.keys, key, false)
 end
 
 function t:tap(key)
+    check_up(game.input.keys, key, "t:tap")
     set_input(game.input.keys, key, true)
     coroutine.yield()
     set_input(game.input.keys, key, false)
@@ -317,6 +327,7 @@ local function takes_clicks(target)
 end
 
 function t:click(position, button)
+    check_up(game.input.mouse, button or "left", "t:click")
     point_at(position, "t:click", 2)
     set_input(game.input.mouse, button or "left", true)
     coroutine.yield()

@@ -2944,10 +2944,12 @@ Tween = {}
 
 ---Tweens that run one after the other, or together. tween.sequence and tween.parallel make it below `game.tweens`, where it runs.
 ---@class TweenGroup : Object
+---@field alternate boolean Whether every second run goes back, the last of a sequence first. · true or false · default false
 ---@field kind "sequence"|"parallel" Whether one follows the other or all run together. · "sequence", "parallel" · default "sequence"
+---@field loops integer How often it runs before it ends; 0: until it is stopped. · 0 to 1e9 · default 1
 ---@field paused boolean Whether it stands still. · true or false · default false
 ---@field pauses boolean Whether it pauses with the game and follows time.scale. false: it moves in real time, at each picture, as a pause menu needs it. In a group, that of the outermost group counts. · true or false · default true
----@field progress number The part of the time that has passed. · 0 to 1 · read-only, simulated
+---@field progress number The part of the time that has passed in this run. · 0 to 1 · read-only, simulated
 local fettle_TweenGroup = {}
 
 ---Ends it where it is, without the event, and deletes it.
@@ -3326,12 +3328,12 @@ function tweaks() end
 ---@return Tween
 function tween(target, property, to, seconds, ease, options) end
 
----Runs tweens and groups together.
+---Runs tweens and groups together. The list may have the options `pauses`, `loops` and `alternate` of the group: tween.parallel { a, b, loops = 2 }.
 ---@param tweens any[]
 ---@return TweenGroup
 function tween.parallel(tweens) end
 
----Runs tweens and groups one after the other; a number is a pause in seconds.
+---Runs tweens and groups one after the other; a number is a pause in seconds. The list may have options of the group: tween.sequence { a, b, loops = 0, alternate = true }.
 ---@param tweens any[]
 ---@return TweenGroup
 function tween.sequence(tweens) end

@@ -28,7 +28,8 @@ struct Interface::State {
                     if (!framed) player.begin_on(screen_of_view());
                     player.lay_out();
                 },
-            .hovered = [this](property::Row row) { return player.hovered() == &widgets[row]; }};
+            .hovered = [this](property::Row row) { return player.hovered() == &widgets[row]; },
+            .placed = [this](Widget& widget) { binding.begin(widget); }};
     }
     /// A script may ask where a widget is before the first frame.
     Vec2 screen_of_view() const {

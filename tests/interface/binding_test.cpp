@@ -21,6 +21,19 @@ TEST_CASE("a bound slider and its property have one value") {
     CHECK(s.problems.empty());
 }
 
+TEST_CASE("a bound widget has the value of its property as soon as it has a parent") {
+    Screen s("game.level, game.lit = 3, true");
+    s.set("audio.volume", Value(0.25));
+    s.run(R"(
+        game.s = Slider { bind = "audio.volume" }
+        game.r = Row { Toggle { bind = "game.lit" }, Label { bind = "game.level" } }
+        game.later = Slider { bind = "game.none" }
+        assert(game.s.value == 0.25 and game.r.toggle.value and game.r.label.text == "3"))");
+    s.turn();
+    CHECK(s.get("s.value").number() == 0.25);
+    CHECK(s.get("audio.volume").number() == 0.25);
+}
+
 TEST_CASE("the range of a bound slider is that of the property unless it has its own") {
     Screen s(
         "game.s = Slider { bind = 'input.dead_zone' }  game.i = Slider { offset = vec(0, 100), "

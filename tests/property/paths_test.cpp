@@ -295,4 +295,11 @@ TEST_CASE_METHOD(PathFixture, "patterns match as in a simple implementation") {
     }
 }
 
+TEST_CASE("a name of three stars is no pattern") {
+    for (const char* wrong : {"***", "world.***.mass", "****"})
+        CHECK_THAT(message_of([&] { Pattern{wrong}; }), contains("* stands for one name"));
+    CHECK_NOTHROW(Pattern("world.**.mass*"));
+    CHECK_NOTHROW(Pattern("[\"***\"]"));
+}
+
 }  // namespace paths_test

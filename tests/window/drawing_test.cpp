@@ -419,4 +419,30 @@ TEST_CASE("a script draws at the drawn pose of a body exactly on the body") {
     CHECK(right_ones >= 9);
 }
 
+TEST_CASE("a thin translucent line is not darker in its corners") {
+    if (skipped()) return;
+    const Picture picture = picture_of("corners", R"(
+        local gray = color(0, 0, 0, 0.4)
+        for row, width in ipairs { 0.005, 0.025, 0.04, 0.06, 0.09 } do
+            local points = {}
+            for i = 0, 20 do points[#points + 1] = vec(-12 + i, 9 - 2 * row + i % 2) end
+            game:add(Line { points = points, width = width, color = gray })
+        end
+        local circle = {}
+        for i = 0, 99 do circle[#circle + 1] = vec(4, -6) + vec(3, 0):rotated(i * math.pi / 50) end
+        game:add(Line { points = circle, width = 0.03, closed = true, color = gray })
+        world.chain = Body { type = "static", position = vec(-8, -8), Chain { color = gray, closed = true,
+            points = { vec(0, 0), vec(4, 1), vec(5, 4), vec(1, 3) } } }
+    )");
+    double darkest = 0, all = 0;
+    for (int y = 0; y < int(picture.height); ++y)
+        for (int x = 0; x < int(picture.width); ++x) {
+            darkest = std::max(darkest, ink(picture, x, y));
+            all += ink(picture, x, y);
+        }
+    CHECK(darkest < 0.42);
+    CHECK(darkest > 0.38);
+    CHECK(all > 1000);
+}
+
 }  // namespace drawing_test

@@ -1,10 +1,12 @@
 // Sprites, layers and the pen's state, compared pixel by pixel.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "catch.h"
 #include "game_window.h"
@@ -343,6 +345,66 @@ TEST_CASE("an effect changes the picture and follows its uniforms") {
     game.key("b");
     CHECK(game.prints("view.effect: bad.frag:3: "));
     CHECK(game.eventually([&] { return has_at(game.picture(), 1, 8.5, 255, 255, 255); }));
+}
+
+namespace {
+
+/// Lengths of the runs of pixels with one color, from a pixel on, to the right or down.
+std::vector<int> runs(const Picture& picture, int x, int y, int count, bool down) {
+    const auto at = [&](int n) {
+        const int px = down ? x : x + n, py = down ? y + n : y;
+        const std::size_t i = (std::size_t(py) * picture.width + std::size_t(px)) * 3;
+        return std::array{picture.rgb.at(i), picture.rgb.at(i + 1), picture.rgb.at(i + 2)};
+    };
+    std::vector<int> lengths;
+    for (int n = 0; n < count; ++n)
+        if (n > 0 && at(n) == at(n - 1))
+            ++lengths.back();
+        else
+            lengths.push_back(1);
+    return lengths;
+}
+
+}  // namespace
+
+TEST_CASE("pixels of tiles are equally wide where they meet in the middle of a pixel") {
+    if (skipped()) return;
+    // 3 pixels of the screen for one of the image; all edges are half a pixel off.
+    const Picture picture = picture_of("equal_pixels", R"(
+        for y = 0, 19 do for x = 0, 19 do
+            world:add(Dots { size = vec(0.15, 0.15), origin = vec(0, 0),
+                position = vec(0.15 * x + 0.0125, 0.15 * y + 0.0125), flip_x = y == 5, flip_y = x == 5 })
+        end end
+    )");
+    for (const bool down : {false, true}) {
+        // The last 19 of 20 tiles, from the edge of the second one.
+        const std::vector<int> lengths = runs(picture, 640 + 8, 400 - 116, 100, down);
+        CHECK(
+            std::all_of(lengths.begin() + 1, lengths.end() - 1, [](int n) { return n % 3 == 0; }));
+        CHECK(lengths.size() > 20);
+    }
+}
+
+TEST_CASE("many pictures in a row keep their order with the figures around them") {
+    if (skipped()) return;
+    const Picture picture = picture_of("many", R"(
+        local function heap(z, x)
+            for i = 1, 150 do
+                world:add(Dots { size = vec(4, 4), position = vec(x, 0), z = z })
+            end
+        end
+        heap(0, 0)
+        world.box = Body { type = "static", z = 1, position = vec(1, 0),
+            Box { width = 2, height = 8, color = color(0, 0, 0), border = color(0, 0, 0) } }
+        heap(2, 2.5)
+    )");
+    CHECK(has_at(picture, -1, 1, 255, 0, 0));
+    CHECK(has_at(picture, -1, -1, 0, 0, 255));
+    CHECK(has_at(picture, 0.3, 1, 0, 0, 0));
+    CHECK(has_at(picture, 0.3, 3, 0, 0, 0));
+    CHECK(has_at(picture, 1.5, 1, 255, 0, 0));
+    CHECK(has_at(picture, 3.5, 1, 0, 255, 0));
+    CHECK(has_at(picture, 3.5, -1, 255, 255, 255));
 }
 
 }  // namespace pictures_test

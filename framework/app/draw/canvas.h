@@ -146,6 +146,11 @@ class Canvas : public property::Painter, public Surface {
     void draw_joined(const BorderRings& rim);
     void draw_parts();
 
+    // --- In polylines.cpp
+    /// Adds a line to the polyline of its whole. `width`: px, at least 1.
+    void add_to_polyline(sf::Vector2f from, sf::Vector2f to, sf::Color color, float width);
+    void draw_polyline();
+
     // --- In lettering.cpp
     bool lay_out(Line& line, float size, Face face);
     void draw_line_of_text(const Line& line, sf::Vector2f baseline, sf::Color color);
@@ -154,6 +159,9 @@ class Canvas : public property::Painter, public Surface {
     /// `texture`: null for figures without one, which are drawn with the white texels of any atlas.
     CanvasVertex* start_strip(std::size_t count, sf::Vector2f first,
                               const sf::Texture* texture = nullptr);
+    /// Adds a part of a texture. The corners are top left, top right, bottom left, bottom right.
+    void add_quad(const CanvasVertex (&corners)[4], const sf::Texture& texture);
+    void begin_quads();
     void add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch, sf::Color color);
 
     sf::RenderTarget& target_;
@@ -169,6 +177,8 @@ class Canvas : public property::Painter, public Surface {
     mutable bool has_to_pixels_ = false;
     const sf::Texture* source_ = nullptr;  // texture of strip_
     std::vector<CanvasVertex> strip_{};    // one strip; degenerate triangles join the figures
+    std::vector<CanvasVertex> quads_{};    // instead of a strip; four corners each, in a circle
+    std::size_t last_quads_ = 0;           // at the end of strip_, with nothing between them
     Outline outline_{};
     std::vector<sf::Vector2f> corners_{};
     /// The type of the straight sides of corners_. `touching`: no gap may show between this figure
@@ -187,6 +197,14 @@ class Canvas : public property::Painter, public Surface {
         property::Paint paint{};
     };
     Collected collected_{};
+    /// Lines of one whole, each of which begins where the one before it ends.
+    struct Polyline {
+        std::vector<sf::Vector2f> points{};
+        sf::Color color{};
+        float width = 0;  // px
+        std::uint64_t whole = 0;
+    };
+    Polyline polyline_{};
     std::unordered_map<Texture, std::unique_ptr<sf::Texture>> textures_{};
     Texture next_texture_ = 1;
     std::vector<CanvasVertex> layer_{};

@@ -18,6 +18,8 @@ namespace {
 
 // px. A figure beyond these limits is cut to its visible part, in double precision.
 constexpr double far_away = 8000, large_radius = 1000;
+// px. Wider lines of one whole have round ends, which may overlap.
+constexpr float widest_polyline = 4;
 
 /// A bounding box.
 struct Bounds {
@@ -121,7 +123,7 @@ void Canvas::polygon(std::span<const Vec2> vertices, double rounding, const Pain
 }
 
 void Canvas::line(const Vec2& from, const Vec2& to, Color color, float width) {
-    draw_collected();
+    if (polyline_.points.empty() || polyline_.whole != whole_) draw_collected();
     Vec2 start = exact(from), end = exact(to);
     if (!is_finite(start) || !is_finite(end) || !(width > 0) || !std::isfinite(width)) return;
     // A line thinner than a pixel is drawn one pixel wide and paler.
@@ -135,6 +137,9 @@ void Canvas::line(const Vec2& from, const Vec2& to, Color color, float width) {
     if (outside(bounds.lower - reach, bounds.upper + reach)) return;
     if (!bounds.near() && !visible_area(paint).cut(start, end)) return;
     const sf::Vector2f a = narrow(start), b = narrow(end), along = b - a;
+    if (whole_ != 0 && width <= widest_polyline && !opaque(native(paint.fill)))
+        return add_to_polyline(a, b, native(paint.fill), std::max(width, 1.0f));
+    draw_collected();
     const float length = std::hypot(along.x, along.y);
     edge_ = Edge::free;
     const std::uint64_t whole = std::exchange(whole_, 0);  // a line never belongs to a whole

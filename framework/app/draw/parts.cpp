@@ -29,6 +29,7 @@ void Canvas::collect() {
 }
 
 void Canvas::draw_collected() {
+    draw_polyline();
     if (collected_.parts.size() == 0) return;
     constexpr float too_small = 12;  // px; in a smaller whole the seams are not visible
     if (collected_.parts.size() > 1 && collected_.parts.extent() > too_small &&

@@ -59,6 +59,19 @@ bool is_upright(const Vec2 (&corners)[4], const PictureArea& area) {
            std::abs(across.x - area.width) < 0.5 && std::abs(down.y - area.height) < 0.5;
 }
 
+/// From where to where the texels of an area are drawn, along one side of it.
+struct Texels {
+    float begin = 0, end = 0;
+};
+
+/// Texels beside the area must not be mixed in.
+Texels texels(double begin, double size, std::uint32_t whole, bool smooth) {
+    // A whole picture has copies of its outermost texels around it.
+    const bool all = begin <= 0 && begin + size >= static_cast<double>(whole);
+    const double margin = all ? 0 : std::min(smooth ? 0.5 : 1.0 / 2048, 0.5 * size);
+    return {static_cast<float>(begin + margin), static_cast<float>(begin + size - margin)};
+}
+
 }  // namespace
 
 Pictures::Entry& Pictures::entry_of(const Key& key) {
@@ -176,6 +189,12 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
             Vec2(std::round(corners[0].x), std::round(corners[0].y)) - corners[0];
         for (Vec2& corner : corners) corner += to_pixels;
     }
+    // With round numbers, the middle of a pixel of the screen is often exactly between two texels,
+    // or two tiles. Without this, rounding errors decide which it shows, and rows of pixels are
+    // uneven.
+    constexpr double off_the_middle = 1.0 / 64;  // px
+    if (!smooth)
+        for (Vec2& corner : corners) corner += Vec2(off_the_middle, off_the_middle);
     Vec2 from = corners[0], to = from;
     for (const Vec2& corner : corners) {
         if (!is_finite(corner)) return;
@@ -187,19 +206,10 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
     const Pictures::Place place = pictures_.place(picture, smooth, multiplies);
     if (place.texture == nullptr) return;
     const sf::Color color = native(faded(tint));
-    // Texels beside the area must not be mixed in.
-    const auto whole = [&](double begin, double size, std::uint32_t all) {
-        return begin <= 0 && begin + size >= static_cast<double>(all);
-    };
-    const double margin = smooth ? 0.5 : 1.0 / 64;
-    const double in_x = whole(area.left, area.width, picture.width()) ? 0 : margin;
-    const double in_y = whole(area.top, area.height, picture.height()) ? 0 : margin;
-    const auto texel = [](float base, double at) { return base + static_cast<float>(at); };
-    const float left = texel(place.left, area.left + std::min(in_x, 0.5 * area.width));
-    const float right =
-        texel(place.left, area.left + area.width - std::min(in_x, 0.5 * area.width));
-    const float high = texel(place.top, area.top + std::min(in_y, 0.5 * area.height));
-    const float low = texel(place.top, area.top + area.height - std::min(in_y, 0.5 * area.height));
+    const Texels across = texels(area.left, area.width, picture.width(), smooth);
+    const Texels down = texels(area.top, area.height, picture.height(), smooth);
+    const float left = place.left + across.begin, right = place.left + across.end;
+    const float high = place.top + down.begin, low = place.top + down.end;
     const auto vertex = [&](const Vec2& p, float u, float v) {
         return CanvasVertex{static_cast<float>(p.x),
                             static_cast<float>(p.y),
@@ -210,12 +220,9 @@ void Canvas::picture(const Picture& picture, const PictureArea& area, const Vec2
                             u,
                             v};
     };
-    CanvasVertex* out = start_strip(
-        4, {static_cast<float>(corners[0].x), static_cast<float>(corners[0].y)}, place.texture);
-    out[0] = vertex(corners[0], left, high);
-    out[1] = vertex(corners[1], right, high);
-    out[2] = vertex(corners[2], left, low);
-    out[3] = vertex(corners[3], right, low);
+    add_quad({vertex(corners[0], left, high), vertex(corners[1], right, high),
+              vertex(corners[2], left, low), vertex(corners[3], right, low)},
+             *place.texture);
 }
 
 }  // namespace fettle::app

@@ -57,6 +57,9 @@ bool openal_device_opened();
 
 #if SFML_VERSION_MAJOR >= 3
 
+/// Whether the library draws quads.
+inline constexpr bool has_quads = false;
+inline constexpr auto quads = sf::PrimitiveType::Triangles;  // not used
 /// Whether the library plays through OpenAL, which can write its output to a file.
 inline constexpr bool plays_on_openal = false;
 /// True if the library could open a sound device. Only meaningful while a stream exists, which
@@ -221,6 +224,9 @@ inline bool poll(sf::RenderWindow& window, InputEvent& out) {
 }
 
 #else
+
+inline constexpr bool has_quads = true;
+inline constexpr auto quads = sf::PrimitiveType::Quads;
 
 inline constexpr bool plays_on_openal = true;
 inline bool audio_device_opened() {

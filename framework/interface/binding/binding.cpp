@@ -138,6 +138,30 @@ void Binding::report(Widget& widget, const std::string& why) {
     if (report_) report_(widgets_.tree().path(widget.self) + ".bind: " + why);
 }
 
+void Binding::begin(Widget& widget) const {
+    if (widget.content.bind.empty() || widget.bound.bound_before) return;
+    try {
+        const Value value = shown(widget, read(widgets_.tree(), place_of(widget)));
+        Content& content = widget.content;
+        switch (widget.kind) {
+            case Kind::slider:
+            case Kind::progress_bar:
+                content.value = value.as_double();
+                break;
+            case Kind::toggle:
+                content.on = value.boolean();
+                break;
+            case Kind::list:
+                content.selected = value.integer();
+                break;
+            default:
+                content.text = value.text();
+        }
+    } catch (const std::exception&) {
+        // The property may come. If it does not, `update` reports it.
+    }
+}
+
 void Binding::update(Widget& widget) {
     if (widget.content.bind.empty() || !*main_property(widget.kind)) return;
     property::Tree& tree = widgets_.tree();

@@ -23,6 +23,9 @@ class Binding {
     /// the property does.
     void update(Widget& widget);
     void update_all();
+    /// To be called when the widget got a parent: until the first update, which follows at the end
+    /// of the step, it shows the value of the property.
+    void begin(Widget& widget) const;
     /// Until the next update, the property of each widget counts as changed.
     void follow_properties();
     /// The values at the left and the right end of a slider or progress bar; the left one may be

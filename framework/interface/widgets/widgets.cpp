@@ -85,6 +85,7 @@ property::ClassDescriptor Widgets::base_descriptor() {
     described.lifecycle.place = [](void* context, property::Tree&, Handle, Row row) {
         auto& w = *static_cast<Widgets*>(context);
         w.stale = w.moved = true;
+        if (w.callbacks.placed) w.callbacks.placed(w[row]);
         return row;
     };
     described.lifecycle.destroy = [](void* context, property::Tree&, Handle, Row row) {

@@ -36,6 +36,7 @@ class Widgets {
     struct Callbacks {
         std::function<void()> lay_out;  // arranges the widgets if `stale`
         std::function<bool(property::Row)> hovered;
+        std::function<void(Widget&)> placed;  // it got a parent
     };
 
     void define(property::Tree& tree, ServiceParts more);

@@ -54,6 +54,28 @@ struct Tree::State {
     SnapshotState snapshots;
     std::vector<std::pair<const Class*, AddedRules*>> added_rules;
 
+    /// The name of an instance that takes the place of another now, by its index. Until the other
+    /// is deleted, it has a name of its own, which no message shows.
+    std::vector<std::pair<std::uint32_t, NodeName>> replacing;
+    struct Replacing {
+        State& in;
+        Replacing(State& s, std::uint32_t index, const NodeName& name) : in(s) {
+            in.replacing.emplace_back(index, name);
+        }
+        ~Replacing() { in.replacing.pop_back(); }
+        Replacing(const Replacing&) = delete;
+    };
+    static const Symbol& name_while_replacing() {
+        static const Symbol beside("\x1b replacing");
+        return beside;
+    }
+    const NodeName& shown_name(std::uint32_t index, const Node& node) const {
+        if (!replacing.empty() && node.name.base == name_while_replacing())
+            for (const auto& [replaced, name] : replacing)
+                if (replaced == index) return name;
+        return node.name;
+    }
+
     /// Rules for properties added to the instance, or nullptr.
     AddedRules* rules_of(Handle instance) const;
 

@@ -307,7 +307,7 @@ std::size_t Tree::size() const {
 
 std::string Tree::name(Handle instance) const {
     state_->instances.reads.note_structure();
-    return state_->instances.require(instance).name.text();
+    return state_->shown_name(instance.index, state_->instances.require(instance)).text();
 }
 
 std::string Tree::path(Handle instance) const {
@@ -323,7 +323,7 @@ std::string Tree::path(Handle instance) const {
                            ? ""
                            : "(detached " + s.instances.nodes[top].name.text() + ")";
     for (auto i = chain.rbegin(); i != chain.rend(); ++i)
-        path += path_suffix(s.instances.nodes[*i].name.text());
+        path += path_suffix(s.shown_name(*i, s.instances.nodes[*i]).text());
     if (path.front() == '.') return path.substr(1);
     return path.front() == '[' ? "game" + path : path;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <fettle/property/path.h>
+#include <fettle/property/sibling_order.h>
 #include <fettle/property/write_log.h>
 
 #include "state.h"
@@ -113,9 +114,12 @@ void Tree::replace(Handle old, Handle by) {
         throw Error(ErrorKind::bad_structure, path(by) + " cannot take the place of " + path(old));
     // The new instance first gets a temporary name, because modules may refuse it while the old one
     // is still in place.
-    static const Symbol beside("\x1b replacing");
-    s.structure.move_or_stay(
-        by, {.parent = at.parent, .before = {}, .name = {beside, 0}, .named = true});
+    // Messages of modules about it name the place that it gets.
+    const State::Replacing replacing(s, by.index, at.name);
+    s.structure.move_or_stay(by, {.parent = at.parent,
+                                  .before = {},
+                                  .name = {State::name_while_replacing(), 0},
+                                  .named = true});
     s.structure.notify_move(by);
     std::exception_ptr problem;  // of a module that was notified of the deletion
     try {
@@ -171,6 +175,24 @@ void Tree::move(Handle instance, Handle new_parent, std::string_view name,
     const Position was = s.instances.nodes.position(instance.index);
     s.structure.move_or_stay(instance,
                              {.parent = new_parent, .before = {}, .name = chosen, .named = named});
+    if (s.changes.recording()) s.history.moved(instance, was);
+    s.structure.notify_move(instance);
+}
+
+void put_behind(Tree& tree, Handle instance, Handle before) {
+    Tree::State& s = tree.state();
+    const Node& node = s.instances.require(instance);
+    if (before) s.instances.require(before);
+    s.require_changeable("move an instance");
+    const Position was = s.instances.nodes.position(instance.index);
+    if (!was.parent || before == instance || was.before.index == before.index) return;
+    if (before && tree.parent(before) != was.parent) return;
+    s.require_free(instance, "move it");
+    if (s.underway.restoring)
+        s.underway.require_row_above(s.instances, was.parent, "move an instance below it");
+    s.instances.nodes.reorder(instance.index, before.index);
+    s.changes.edited = true;
+    s.structure.changed(was.parent.index, node.name);
     if (s.changes.recording()) s.history.moved(instance, was);
     s.structure.notify_move(instance);
 }

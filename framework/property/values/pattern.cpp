@@ -55,6 +55,8 @@ std::vector<std::string> split(std::string_view text) {
             while (at < text.size() && text[at] != '.' && text[at] != '[' && text[at] != '"')
                 segment += text[at++];
             if (at < text.size() && text[at] == '"') fail("a quoted name stands in brackets");
+            if (segment.size() > 2 && segment.find_first_not_of('*') == std::string::npos)
+                fail("\"" + segment + "\" is no name: * stands for one name, ** for any number");
         }
         if (segment.empty()) fail("a name is missing");
         segments.push_back(std::move(segment));

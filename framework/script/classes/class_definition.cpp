@@ -9,6 +9,8 @@
 #include <classes/script_classes.h>
 #include <handlers/formulas.h>
 #include <lua/exception_guard.h>
+#include <lua/host.h>
+#include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <reference/language.h>
@@ -194,6 +196,17 @@ int not_defined_yet(lua_State* L) {
                                               name + " = class(\"" + name + "\", Body) { }");
 }
 
+/// `events = { "hit" }` looks like a declaration of events, and is a list.
+void note_events(Machine& machine, const std::string& class_name, const Property& property) {
+    if (property.name != "events" || property.type != Type::list || !machine.host.on_note) return;
+    for (const Value& each : property.default_value.list())
+        if (!each.is(Type::text)) return;
+    machine.host.on_note(position(machine.lua.running) + class_name +
+                         ".events is a list like any other: a class of a script has the events of "
+                         "its base, and declares none. For a signal of your own, watch a property: "
+                         "foe:watch(\"hits\", function(new) ... end)");
+}
+
 // Upvalues: name, base.
 int define_class(lua_State* L) {
     Machine& machine = machine_of(L);
@@ -226,6 +239,7 @@ int define_class(lua_State* L) {
             definition.properties.push_back(std::move(again));
         } else {
             Property property = declared(L, definition.name, key);
+            note_events(machine, definition.name, property);
             refuse_near_misses(machine.classes, *definition.base, definition.name, key,
                                property.type);
             for (const auto& [name, doc] : docs)

@@ -1,5 +1,7 @@
 // Classes of scripts during a reload of the game.
 
+#include <map>
+#include <set>
 #include <utility>
 
 #include <fettle/property/redefinition.h>
@@ -8,6 +10,7 @@
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <text/words.h>
 #include <values/members.h>
 
 namespace fettle::script {
@@ -22,6 +25,7 @@ std::vector<Property> ScriptClasses::own_properties(const Class& of) const {
 
 void ScriptClasses::begin_reload() {
     unfinished_.clear();
+    places_.clear();
     for (auto& [of, own] : infos_) {
         Earlier& earlier = earlier_[of];
         earlier.functions = std::exchange(own.functions, LUA_NOREF);
@@ -53,6 +57,28 @@ void ScriptClasses::end_reload(bool keep) {
         any_functions_ |= own.functions != LUA_NOREF;
         any_states_ |= own.states != LUA_NOREF;
     }
+}
+
+std::vector<std::string> ScriptClasses::lost_states() const {
+    const property::Tree& tree = machine_.tree;
+    std::vector<std::string> notes;
+    std::map<const Class*, std::vector<std::string>> known;
+    std::set<std::pair<const Class*, std::string>> reported;
+    for (const Handle member : members_) {
+        if (!tree.alive(member) || !tree.is_below(member, tree.root())) continue;
+        const Class& of = tree.class_of(member);
+        if (!has_states(of)) continue;
+        const auto [states, is_new] = known.try_emplace(&of);
+        if (is_new) states->second = states_of(of);
+        const std::string state = current_state(tree, member);
+        if (state.empty() || among(states->second, state)) continue;
+        if (reported.emplace(&of, state).second)
+            notes.push_back("reload: " + tree.path(member) + " is in the state \"" + state +
+                            "\", which " + of.name() +
+                            " has no more: no function is called for it until :state(name) "
+                            "enters another");
+    }
+    return notes;
 }
 
 std::vector<ScriptClasses::NewDefault> ScriptClasses::new_defaults() const {

@@ -83,6 +83,10 @@ std::vector<Property> state_properties() {
              .hidden = true}};
 }
 
+std::string current_state(const property::Tree& tree, Handle instance) {
+    return tree.get(instance, current_name).text();
+}
+
 bool ScriptClasses::has_states(const Class& of) const {
     if (!any_states_) return false;
     for (const Class* c = &of; c != nullptr; c = c->base())

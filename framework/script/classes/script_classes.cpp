@@ -10,6 +10,7 @@
 #include <classes/unplaced_instances.h>
 #include <handlers/connections.h>
 #include <handlers/subscriptions.h>
+#include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -160,6 +161,7 @@ void ScriptClasses::connect(const Class& of, const std::string& name) {
 
 void ScriptClasses::forget_functions() {
     unfinished_.clear();
+    places_.clear();
     lua_State* L = machine_.lua.main;
     for (auto& [of, own] : infos_) {
         if (own.functions != LUA_NOREF) luaL_unref(L, LUA_REGISTRYINDEX, own.functions);
@@ -246,23 +248,45 @@ std::string difference(const Class& first, const std::vector<Property>& second) 
 
 }  // namespace
 
+/// `first`: "main.lua:3: ", where this load has defined it; "" if an earlier one has.
+void ScriptClasses::refuse_base(const Class& existing, const std::string& first) const {
+    const std::string which = ": exists already with another base, " + existing.base()->name();
+    if (!first.empty())
+        throw Error(ErrorKind::bad_name,
+                    existing.name() + which + ", from " + first.substr(0, first.size() - 2));
+    throw Error(ErrorKind::bad_name, existing.name() + which +
+                                         "; a class keeps its base while the game runs: restart() "
+                                         "in the console begins the game again with the new one");
+}
+
+void ScriptClasses::note_second(const std::string& name, const std::string& first,
+                                const std::string& second) const {
+    if (first.empty() || first == second || !machine_.declarations.active() ||
+        !machine_.host.on_note)
+        return;
+    machine_.host.on_note(second + "class " + name + " is defined already, at " +
+                          first.substr(0, first.size() - 2) +
+                          ": the two are one class, which has the functions of both; give one of "
+                          "them another name, or define it in one file");
+}
+
 const Class& ScriptClasses::define(Definition definition) {
-    unfinished_.erase(definition.name);
+    const auto begun = unfinished_.find(definition.name);
+    const std::string place = begun == unfinished_.end() ? std::string() : begun->second;
+    if (begun != unfinished_.end()) unfinished_.erase(begun);
+    const std::string first = std::exchange(places_[definition.name], place);
     const Class* existing = machine_.tree.find_class(definition.name);
     if (existing) {
         if (!scripted(*existing))
             throw Error(ErrorKind::bad_name, definition.name + ": is a class of the framework");
+        if (existing->base() == definition.base) note_second(definition.name, first, place);
         if (existing->base() == definition.base && machine_.declarations.reloading()) {
             info(*existing).defaults.clear();
             property::redefine(machine_.tree, *existing, std::move(definition.properties));
             machine_.members.clear();
             return *existing;
         }
-        if (existing->base() != definition.base)
-            throw Error(ErrorKind::bad_name, definition.name +
-                                                 ": exists already with another base, " +
-                                                 existing->base()->name() +
-                                                 "; a class keeps its base while the game runs");
+        if (existing->base() != definition.base) refuse_base(*existing, first);
         if (const std::string how = difference(*existing, definition.properties); !how.empty())
             throw Error(ErrorKind::bad_name,
                         definition.name + ": exists already with other properties: " + how);

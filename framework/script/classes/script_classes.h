@@ -22,6 +22,9 @@ struct Machine;
 /// The properties of a class with states: the current one, and the one that was entered last.
 std::vector<property::Property> state_properties();
 
+/// The state of an instance of a class with states.
+std::string current_state(const property::Tree& tree, property::Handle instance);
+
 class ScriptClasses {
   public:
     explicit ScriptClasses(Machine& machine) : machine_(machine) {}
@@ -42,6 +45,8 @@ class ScriptClasses {
     /// To be called by `class(name, base)`, which is not complete before its table follows. `place`
     /// is that of the call: "main.lua:3: ".
     void begin(const std::string& name, const std::string& place) { unfinished_[name] = place; }
+    /// What a reload has left without effect: instances in a state that their class has no more.
+    std::vector<std::string> lost_states() const;
     /// Name and place of each class whose table has not followed.
     const std::map<std::string, std::string, std::less<>>& unfinished() const {
         return unfinished_;
@@ -140,6 +145,9 @@ class ScriptClasses {
         std::vector<property::Property> properties;  // of the class itself
     };
     std::vector<property::Property> own_properties(const property::Class& of) const;
+    [[noreturn]] void refuse_base(const property::Class& existing, const std::string& first) const;
+    void note_second(const std::string& name, const std::string& first,
+                     const std::string& second) const;
 
     Info& info(const property::Class& of) { return infos_[&of]; }
     const std::vector<int>& chain(const property::Class& of);
@@ -166,6 +174,7 @@ class ScriptClasses {
     std::unordered_map<const property::Class*, std::vector<int>> chains_;
     std::unordered_map<const property::Class*, Earlier> earlier_;
     std::map<std::string, std::string, std::less<>> unfinished_;
+    std::map<std::string, std::string> places_;  // of the classes that this load has defined
     bool any_functions_ = false;
     bool any_states_ = false;
     int changing_states_ = 0;                  // changes of states in progress

@@ -1,3 +1,5 @@
+#include <string_view>
+
 #include <calls/errors.h>
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
@@ -123,9 +125,10 @@ int wrap(lua_State* L) {
     return 1;
 }
 
-int close(lua_State* L) {
+/// The coroutine is at 1. Pushes true; or false and the error with which it has ended.
+int close_at_1(lua_State* L, const char* what) {
     Machine& machine = machine_of(L);
-    lua_State* thread = thread_at(L, 1, "coroutine.close");
+    lua_State* thread = thread_at(L, 1, what);
     push_registry(L, machine.lua.killed);
     lua_pushvalue(L, 1);
     const bool killed = lua_rawget(L, -2) != LUA_TNIL;
@@ -146,6 +149,41 @@ int close(lua_State* L) {
     lua_pushboolean(L, 0);
     lua_xmove(thread, L, 1);
     return 2;
+}
+
+int close(lua_State* L) {
+    return close_at_1(L, "coroutine.close");
+}
+
+// --- Methods of coroutines, as those of timers
+
+int stop(lua_State* L) {
+    return close_at_1(L, "stop") == 1 ? 0 : lua_error(L);
+}
+
+int active(lua_State* L) {
+    lua_State* const thread = thread_at(L, 1, "active");
+    const char* const why = not_resumable(L, thread);
+    lua_pushboolean(L, why == nullptr || std::string_view(why).find("dead") == std::string::npos);
+    return 1;
+}
+
+int thread_index(lua_State* L) {
+    return push_method(L, "a coroutine");
+}
+
+/// All coroutines share one metatable.
+void open_methods(lua_State* L) {
+    lua_newthread(L);
+    lua_newtable(L);
+    add_pure<thread_index>(L, "__index");
+    lua_newtable(L);
+    add_function<stop>(L, "stop");
+    add_pure<active>(L, "active");
+    lua_setfield(L, -2, "methods");
+    name_metatable(L, "thread");
+    lua_setmetatable(L, -2);
+    lua_pop(L, 1);
 }
 
 }  // namespace
@@ -174,6 +212,7 @@ void open_coroutines(lua_State* L) {
     add_pure<wrap>(L, "wrap");
     add_pure<close>(L, "close");
     lua_pop(L, 1);
+    open_methods(L);
 }
 
 }  // namespace fettle::script

@@ -153,10 +153,25 @@ property::ExistenceHandler existence_handler(Machine& machine, const char* name,
     };
 }
 
+/// A handler of the event `restored` runs while it exists.
+class RestoredScope {
+  public:
+    RestoredScope(Machine& machine, bool is_restored) : running_(machine.globals.in_restored) {
+        if (is_restored) ++running_;
+    }
+    ~RestoredScope() { running_ = before_; }
+    RestoredScope(const RestoredScope&) = delete;
+
+  private:
+    int& running_;
+    const int before_ = running_;
+};
+
 property::EventHandler event_handler(Machine& machine, const Event& event, const Function& function,
                                      Handle scene) {
     return [&machine, function, &event, scene](const Occurrence& occurrence) {
         if (has_ended(machine, scene)) return;
+        const RestoredScope restored(machine, event.name == "restored");
         const Context context("handler of " + event.name, occurrence.instance);
         protected_run(machine, context, [&](lua_State* M) {
             push_occurrence(M, occurrence);

@@ -5,6 +5,7 @@
 #include <fettle/script/runtime.h>
 
 #include <library/library.h>
+#include <library/time_functions.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -35,6 +36,7 @@ int save_game(lua_State* L) {
 
 int load_game(lua_State* L) {
     Machine& machine = machine_of(L);
+    require_no_circle(machine, "load_game");
     saves_of(machine, "load_game").load(slot_at(L, "load_game"));
     return 0;
 }

@@ -8,6 +8,7 @@
 #include <fettle/script/runtime.h>
 
 #include <library/time_functions.h>
+#include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
@@ -30,6 +31,7 @@ constexpr std::size_t max_travels = 100;
 
 /// Calls `go` at the next barrier, after earlier calls.
 void travel(Machine& machine, const char* what, std::function<void()> go) {
+    require_no_circle(machine, what);
     if (machine.snapshots.travels >= max_travels)
         throw Error(ErrorKind::rejected, std::string(what) + ": " + std::to_string(max_travels) +
                                              " restores and rewinds wait for the next barrier "
@@ -140,6 +142,21 @@ int rewind(lua_State* L) {
 }
 
 }  // namespace
+
+void require_no_circle(Machine& machine, const char* what) {
+    constexpr std::size_t most = 3;  // in a row
+    HeldSnapshots& all = machine.snapshots;
+    if (machine.globals.in_restored == 0) return;
+    if (all.asked_in_a_row == 0 || all.asked_at != all.restored) {
+        all.asked_in_a_row = all.asked_at + 1 == all.restored ? all.asked_in_a_row + 1 : 1;
+        all.asked_at = all.restored;
+    }
+    if (all.asked_in_a_row <= most) return;
+    throw Error(ErrorKind::rejected,
+                std::string(what) +
+                    ": a handler of the event restored calls it, and it causes this "
+                    "event: the game would go back in each step, for ever");
+}
 
 void open_time(lua_State* L) {
     Machine& machine = machine_of(L);

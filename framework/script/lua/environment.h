@@ -25,6 +25,7 @@ struct Environment {
     std::map<std::string, property::Value, std::less<>> stated;
     /// While `enter` runs: what it begins ends with this scene.
     property::Handle entering{};
+    int in_restored = 0;  // handlers of the event `restored` that run now
     property::Handle it;  // the selected instance
     /// The children that `game` had when the game was loaded, such as `world`, and their names
     /// then.

@@ -41,6 +41,30 @@ Property pauses_property() {
                 "outermost group counts."};
 }
 
+Property loops_property() {
+    return {.name = "loops",
+            .type = Type::integer,
+            .default_value = 1,
+            .range = {0, 1'000'000'000},
+            .doc = "How often it runs before it ends; 0: until it is stopped."};
+}
+
+Property turn_property() {
+    return {.name = "turn",
+            .type = Type::integer,
+            .default_value = 0,
+            .doc = "How many runs are complete.",
+            .hidden = true};
+}
+
+Property reversed_property() {
+    return {.name = "reversed",
+            .type = Type::boolean,
+            .default_value = false,
+            .doc = "Whether its group runs backwards now.",
+            .hidden = true};
+}
+
 Property over_property() {
     return {.name = "over",
             .type = Type::boolean,
@@ -89,11 +113,7 @@ std::vector<Property> settings_of_tween() {
              .doc = "Parts of the way at equal distances of time, joined by straight lines. A "
                     "function given as ease is kept here as 257 of its values.",
              .element = Type::number},
-            {.name = "loops",
-             .type = Type::integer,
-             .default_value = 1,
-             .range = {0, 1'000'000'000},
-             .doc = "How often it runs before it ends; 0: until it is stopped."},
+            loops_property(),
             {.name = "alternate",
              .type = Type::boolean,
              .default_value = false,
@@ -110,11 +130,8 @@ std::vector<Property> state_of_tween() {
                     "the next step."},
             paused_property(),
             pauses_property(),
-            {.name = "turn",
-             .type = Type::integer,
-             .default_value = 0,
-             .doc = "How many runs are complete.",
-             .hidden = true},
+            turn_property(),
+            reversed_property(),
             {.name = "shown",
              .type = Type::number,
              .default_value = -1.0,
@@ -136,12 +153,23 @@ ClassDescriptor tween_descriptor() {
                              .doc = "It has reached its end; it is deleted at the next step."}}};
 }
 
-/// How long a tween or a group takes, and how much of that has passed, s.
+/// How long a tween or a group takes, and how much of that has passed, s. Of an endless one, a run.
 struct Extent {
     double length = 0, passed = 0;
+    /// Several such runs, of which `done` are complete.
+    Extent repeated(double runs, double done) const {
+        return runs > 1 ? Extent{length * runs, length * done + passed} : *this;
+    }
 };
 
-Extent extent(const Tree& tree, Handle each, int depth) {
+double runs_of(const Tree& tree, Handle each) {
+    return tree.get(each, "loops").as_double();
+}
+
+Extent extent(const Tree& tree, Handle each, int depth);
+
+/// Of one run.
+Extent extent_of_run(const Tree& tree, Handle each, int depth) {
     if (const Property* seconds = tree.find(each, "seconds")) {
         const double length = tree.get(each, *seconds).as_double();
         return {length, length * tree.get(each, "progress").as_double()};
@@ -155,12 +183,22 @@ Extent extent(const Tree& tree, Handle each, int depth) {
         sum.length = together ? std::max(sum.length, part.length) : sum.length + part.length;
         sum.passed = together ? std::max(sum.passed, part.passed) : sum.passed + part.passed;
     }
+    // The shorter ones begin later in a run that goes back.
+    if (together) sum.passed = std::max(sum.passed, tree.get(each, "run_time").as_double());
     return sum;
+}
+
+/// Of all runs.
+Extent extent(const Tree& tree, Handle each, int depth) {
+    const Extent run = extent_of_run(tree, each, depth);
+    return tree.find(each, "loops") == nullptr
+               ? run
+               : run.repeated(runs_of(tree, each), tree.get(each, "turn").as_double());
 }
 
 Value progress_of_group(void*, const Tree& tree, Handle self) {
     if (tree.get(self, "over").boolean()) return 1.0;
-    const Extent all = extent(tree, self, 0);
+    const Extent all = extent_of_run(tree, self, 0);
     return all.length > 0 ? std::min(all.passed / all.length, 1.0) : 0.0;
 }
 
@@ -168,7 +206,7 @@ ClassDescriptor group_descriptor() {
     Property progress{.name = "progress",
                       .type = Type::number,
                       .range = {0, 1},
-                      .doc = "The part of the time that has passed.",
+                      .doc = "The part of the time that has passed in this run.",
                       .read_only = true,
                       .transient = true,
                       .simulated = true};
@@ -183,9 +221,23 @@ ClassDescriptor group_descriptor() {
                             .default_value = in_sequence,
                             .doc = "Whether one follows the other or all run together.",
                             .enumerators = {in_sequence, in_parallel}},
+                           loops_property(),
+                           {.name = "alternate",
+                            .type = Type::boolean,
+                            .default_value = false,
+                            .doc = "Whether every second run goes back, the last of a sequence "
+                                   "first."},
                            progress,
                            paused_property(),
                            pauses_property(),
+                           turn_property(),
+                           {.name = "run_time",
+                            .type = Type::number,
+                            .default_value = 0.0,
+                            .unit = "s",
+                            .doc = "How long this run of a parallel group has taken.",
+                            .hidden = true},
+                           reversed_property(),
                            over_property()},
             .methods = {stop_method()},
             .events = {Event{.name = "finished",
@@ -194,6 +246,14 @@ ClassDescriptor group_descriptor() {
 }
 
 }  // namespace
+
+double seconds_of(const Tree& tree, Handle each) {
+    return extent(tree, each, 0).length;
+}
+
+double seconds_of_run(const Tree& tree, Handle group) {
+    return extent_of_run(tree, group, 0).length;
+}
 
 TweenClasses define_tween_classes(Tree& tree) {
     const auto defined = [&tree](ClassDescriptor descriptor) -> const Class& {
@@ -225,11 +285,17 @@ TweenClasses define_tween_classes(Tree& tree) {
             .alternate = of(tween, "alternate"),
             .turn = of(tween, "turn"),
             .shown = of(tween, "shown"),
+            .reversed = of(tween, "reversed"),
             .over = of(tween, "over"),
             .finished = *tween.event("finished"),
             .group_kind = of(group, "kind"),
             .group_paused = of(group, "paused"),
             .group_pauses = of(group, "pauses"),
+            .group_loops = of(group, "loops"),
+            .group_alternate = of(group, "alternate"),
+            .group_turn = of(group, "turn"),
+            .group_run_time = of(group, "run_time"),
+            .group_reversed = of(group, "reversed"),
             .group_over = of(group, "over"),
             .group_finished = *group.event("finished")};
 }

@@ -36,6 +36,7 @@ struct TweenClasses {
     const Property& alternate;
     const Property& turn;
     const Property& shown;
+    const Property& reversed;
     const Property& over;
     const property::Event& finished;
 
@@ -43,9 +44,18 @@ struct TweenClasses {
     const Property& group_kind;
     const Property& group_paused;
     const Property& group_pauses;
+    const Property& group_loops;
+    const Property& group_alternate;
+    const Property& group_turn;
+    const Property& group_run_time;
+    const Property& group_reversed;
     const Property& group_over;
     const property::Event& group_finished;
 };
+
+/// How long all runs of a tween or a group take, and one run of a group, s. An endless one: a run.
+double seconds_of(const property::Tree& tree, Handle each);
+double seconds_of_run(const property::Tree& tree, Handle group);
 
 /// Defines the classes, unless an earlier runtime of the tree has done so.
 TweenClasses define_tween_classes(property::Tree& tree);

@@ -130,14 +130,41 @@ std::vector<Handle> members(lua_State* L, const char* kind, bool pauses) {
     return found;
 }
 
-int tween_sequence(lua_State* L) {
-    push_instance(L, machine_of(L).tweens.add_group(in_sequence, members(L, in_sequence, true)));
+const std::vector<std::string>& option_names() {
+    static const std::vector<std::string> names{"alternate", "loops", "pauses"};
+    return names;
+}
+
+/// Writes the value at the top of the stack to the option whose name is below it.
+void take_option(lua_State* L, Handle made) {
+    const std::string name = lua_type(L, -2) == LUA_TSTRING ? string_at(L, -2) : "";
+    if (std::ranges::find(option_names(), name) == option_names().end())
+        throw Error(ErrorKind::unknown_name, "tween: there is no option " + short_text(L, -2) +
+                                                 property::suggestion(name, option_names()));
+    machine_of(L).tree.set(made, name, to_value(L, -1));
+}
+
+/// A group of what is in the list at 1, which may hold options: { a, b, loops = 0 }.
+int group_of(lua_State* L, const char* kind, bool pauses) {
+    Machine& machine = machine_of(L);
+    const Handle made = machine.tweens.add_group(kind, members(L, kind, pauses));
+    try {
+        for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1))
+            if (lua_isinteger(L, -2) == 0) take_option(L, made);
+    } catch (const Error&) {
+        machine.tree.destroy(made);
+        throw;
+    }
+    push_instance(L, made);
     return 1;
 }
 
+int tween_sequence(lua_State* L) {
+    return group_of(L, in_sequence, true);
+}
+
 int tween_parallel(lua_State* L) {
-    push_instance(L, machine_of(L).tweens.add_group(in_parallel, members(L, in_parallel, false)));
-    return 1;
+    return group_of(L, in_parallel, false);
 }
 
 /// The global `tween` is a table that can be called; the call passes the table first.
@@ -159,15 +186,7 @@ bool is_options(lua_State* L, int index) {
 void take_options(lua_State* L, int index, Handle tween) {
     if (lua_isnoneornil(L, index)) return;
     if (!is_options(L, index)) refuse_type(L, index, "tween: needs options such as { loops = 0 }");
-    property::Tree& tree = machine_of(L).tree;
-    const std::vector<std::string> known{"alternate", "loops", "pauses"};
-    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) {
-        const std::string name = lua_type(L, -2) == LUA_TSTRING ? string_at(L, -2) : "";
-        if (std::ranges::find(known, name) == known.end())
-            throw Error(ErrorKind::unknown_name, "tween: there is no option " + short_text(L, -2) +
-                                                     property::suggestion(name, known));
-        tree.set(tween, name, to_value(L, -1));
-    }
+    for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1)) take_option(L, tween);
 }
 
 /// Throws Error if `name` is a component of a property, such as "position.x" or "position:x".

@@ -238,22 +238,94 @@ std::optional<double> Tweens::advance(Handle each, double dt, int depth) {
 }
 
 std::optional<double> Tweens::advance_group(Handle group, double dt, int depth) {
+    constexpr int most_runs = 64;  // in a step
     Tree& tree = machine_.tree;
     if (depth >= deepest_tweens) return std::nullopt;
     if (tree.get(group, classes_.group_paused).boolean()) return std::nullopt;
+    for (int run = 0; run < most_runs; ++run) {
+        const std::optional<double> left = advance_run(group, dt, depth);
+        if (!left) return std::nullopt;
+        const std::int64_t loops = tree.get(group, classes_.group_loops).integer();
+        const std::int64_t turn = tree.get(group, classes_.group_turn).integer() + 1;
+        const std::vector<Handle> members = tree.children(group);
+        const bool empty =
+            std::ranges::none_of(members, [this](Handle member) { return running(member); });
+        if (empty || (loops > 0 && turn >= loops)) {
+            finish(group);
+            return left;
+        }
+        tree.set(group, classes_.group_turn, turn);
+        begin_run(group, depth);
+        // One that takes no time makes one run a step.
+        if (*left <= tolerance || *left >= dt) return std::nullopt;
+        dt = *left;
+    }
+    return std::nullopt;
+}
+
+/// One run of the members, or what is left of it.
+std::optional<double> Tweens::advance_run(Handle group, double dt, int depth) {
+    Tree& tree = machine_.tree;
     const bool together = tree.get(group, classes_.group_kind).text() == in_parallel;
+    const bool back = goes_back(group);
+    std::vector<Handle> members = tree.children(group);
+    if (back && !together) std::ranges::reverse(members);
+    const double begun = together ? tree.get(group, classes_.group_run_time).number() : 0;
+    const double length = together && back ? seconds_of_run(tree, group) : 0;
     double left = dt;
     bool all_over = true;
-    for (const Handle member : tree.children(group)) {
+    for (const Handle member : members) {
         if (!running(member) || over(member)) continue;
-        const std::optional<double> rest = advance(member, together ? dt : left, depth + 1);
+        double given = together ? dt : left;
+        if (together && back) {  // all end together: the beginning of the run that is gone back
+            given = std::min(dt, begun + dt - (length - seconds_of(tree, member)));
+            if (given <= tolerance) {
+                all_over = false;
+                continue;
+            }
+        }
+        const std::optional<double> rest = advance(member, given, depth + 1);
         if (!rest && !together) return std::nullopt;
         all_over &= rest.has_value();
         if (rest) left = std::min(left, *rest);
     }
-    if (!all_over) return std::nullopt;
-    finish(group);
-    return left;
+    if (together && tree.alive(group)) tree.set(group, classes_.group_run_time, begun + dt);
+    return all_over ? std::optional(left) : std::nullopt;
+}
+
+/// Whether the members of the group run backwards now.
+bool Tweens::goes_back(Handle group) const {
+    const Tree& tree = machine_.tree;
+    const bool reversed = tree.get(group, classes_.group_reversed).boolean();
+    std::int64_t turn = tree.get(group, classes_.group_turn).integer();
+    if (reversed)
+        turn =
+            std::max<std::int64_t>(1, tree.get(group, classes_.group_loops).integer()) - 1 - turn;
+    const bool back = tree.get(group, classes_.group_alternate).boolean() && turn % 2 != 0;
+    return back != reversed;
+}
+
+/// Everything in the group begins again, with the values of its first run.
+void Tweens::begin_run(Handle group, int depth) {
+    Tree& tree = machine_.tree;
+    if (depth > deepest_tweens) return;
+    const bool back = goes_back(group);
+    tree.set(group, classes_.group_run_time, 0.0);
+    for (const Handle member : tree.children(group)) {
+        if (!running(member)) continue;
+        if (tree.class_of(member).is_a(classes_.group)) {
+            tree.set(member, classes_.group_turn, 0);
+            tree.set(member, classes_.group_reversed, back);
+            tree.set(member, classes_.group_over, false);
+            begin_run(member, depth + 1);
+            continue;
+        }
+        tree.set(member, classes_.turn, 0);
+        tree.set(member, classes_.progress, 0.0);
+        tree.set(member, classes_.shown, -1.0);
+        tree.set(member, classes_.reversed, back);
+        tree.set(member, classes_.over, false);
+    }
 }
 
 std::optional<double> Tweens::advance_tween(Handle tween, double dt) {
@@ -369,9 +441,12 @@ void Tweens::show(Handle tween) {
         throw Error(ErrorKind::wrong_type,
                     "there are no values between " + tree.text(from) + " and " + tree.text(to));
     const double progress = tree.get(tween, classes_.progress).number();
-    const bool back = tree.get(tween, classes_.alternate).boolean() &&
-                      tree.get(tween, classes_.turn).integer() % 2 != 0;
-    const double time = back ? 1 - progress : progress;
+    const bool reversed = tree.get(tween, classes_.reversed).boolean();
+    std::int64_t turn = tree.get(tween, classes_.turn).integer();
+    if (reversed)
+        turn = std::max<std::int64_t>(1, tree.get(tween, classes_.loops).integer()) - 1 - turn;
+    const bool back = tree.get(tween, classes_.alternate).boolean() && turn % 2 != 0;
+    const double time = back != reversed ? 1 - progress : progress;
     const std::string kind = tree.get(tween, classes_.ease).text();
     const double part =
         kind == "curve" ? ease(tree.get(tween, classes_.curve).list(), time) : ease(kind, time);

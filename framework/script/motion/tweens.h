@@ -70,6 +70,9 @@ class Tweens {
     std::optional<double> advance(Handle each, double dt, int depth);
     std::optional<double> advance_tween(Handle tween, double dt);
     std::optional<double> advance_group(Handle group, double dt, int depth);
+    std::optional<double> advance_run(Handle group, double dt, int depth);
+    bool goes_back(Handle group) const;
+    void begin_run(Handle group, int depth);
     std::optional<double> pass_time(Handle tween, double dt);
     bool begin(Handle tween);
     void note_begun(Handle within, int depth);

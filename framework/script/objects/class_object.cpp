@@ -137,6 +137,35 @@ void refuse_unknown_handler(const Class& of, const std::string& name) {
     throw Error(ErrorKind::unknown_name, of.name() + " has no event \"" + name + "\"" + hint);
 }
 
+/// "; radius is one of Capsule, Circle": the native classes that declare a property of that name,
+/// or "".
+std::string classes_declaring(const property::Tree& tree, const std::string& name) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> names;
+    for (const Class* each : tree.classes())
+        if (const Property* const found = each->property(name);
+            found != nullptr && found->owner == each)
+            names.push_back(each->name());
+    if (names.empty() || names.size() > most) return {};
+    std::ranges::sort(names);
+    std::string text = "; " + name + " is one of ";
+    for (const std::string& each : names) text += (&each == names.data() ? "" : ", ") + each;
+    return text;
+}
+
+/// "; its shapes have it, as in Circle { radius = ... }" for what belongs to the shapes of a body,
+/// or
+/// "".
+std::string hint_at_shapes(const property::Tree& tree, const Class& of, const std::string& name) {
+    const Class* const body = tree.find_class("Body");
+    const Class* const shape = tree.find_class("Shape");
+    if (body == nullptr || shape == nullptr || !of.is_a(*body)) return {};
+    for (const Class* each : tree.classes())
+        if (each->is_a(*shape) && each->creatable() && each->property(name) != nullptr)
+            return "; its shapes have it, as in " + each->name() + " { " + name + " = ... }";
+    return {};
+}
+
 /// A native class has all the properties that its instances need, so another name is an error. The
 /// classes of scripts and plain objects take any name. The value is at 3.
 void refuse_unknown(lua_State* L, const Machine& machine, const Class& of,
@@ -149,7 +178,10 @@ void refuse_unknown(lua_State* L, const Machine& machine, const Class& of,
                                                describe_type(L, 3));
     if (lua_isfunction(L, 3)) refuse_unknown_handler(of, name);
     std::string hint = machine.hints.did_you_mean(of, name);
-    if (hint.empty()) hint = "; a property of your own goes into props = { " + name + " = ... }";
+    if (hint.empty()) hint = hint_at_shapes(machine.tree, of, name);
+    if (hint.empty())
+        hint = classes_declaring(machine.tree, name) +
+               "; a property of your own goes into props = { " + name + " = ... }";
     throw Error(ErrorKind::unknown_name, of.name() + " has no property \"" + name + "\"" + hint);
 }
 

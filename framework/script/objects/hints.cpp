@@ -38,6 +38,7 @@ void Hints::report(const std::string& about, const std::string& note) {
 void Hints::forget() {
     given_.clear();
     checked_.clear();
+    machine_.recording.drawn_changes.clear();
 }
 
 // --- Properties

@@ -4,10 +4,12 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include <classes/script_classes.h>
 #include <lua/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <objects/generic_methods.h>
 #include <objects/instance_set.h>
 #include <text/words.h>
 #include <values/declarations.h>
@@ -133,12 +135,45 @@ int delete_all(lua_State* L) {
     return 0;
 }
 
+/// What is written for the name at 2 that the instances of the set have and the set has not; "" if
+/// they do not have it either.
+std::string way_for_each(lua_State* L, Machine& machine, const std::string& name) {
+    lua_rawgeti(L, 1, 1);
+    const auto* const box = instance_at(L, -1);
+    const Handle first = box != nullptr ? box->handle : Handle{};
+    lua_pop(L, 1);
+    if (!machine.tree.alive(first)) return {};
+    const Class& of = machine.tree.class_of(first);
+    if (of.method(name) != nullptr || generic_reference(L, machine, name) != LUA_NOREF ||
+        machine.classes.has_function(of, name))
+        return ":each(function(one) one:" + name + "(...) end) for all of them";
+    if (machine.tree.find(first, name) != nullptr)
+        return "one." + name + " in a loop: for _, one in ipairs(set) do ... end";
+    return {};
+}
+
 int set_index(lua_State* L) {
     if (lua_type(L, 2) != LUA_TSTRING) {
         lua_pushnil(L);  // no more elements
         return 1;
     }
-    return push_method(L, "a set of instances");
+    Machine& machine = machine_of(L);
+    luaL_getmetafield(L, 1, "methods");
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) != LUA_TNIL) return 1;
+    lua_pop(L, 2);
+    const std::string name = key_in_message(L, 2);
+    if (const std::string way = way_for_each(L, machine, name); !way.empty())
+        throw Error(ErrorKind::unknown_name,
+                    "a set of instances has no " + name + hint_to_write(way));
+    try {
+        return push_method(L, "a set of instances");
+    } catch (const Error& error) {
+        const std::string_view reason = error.what();
+        if (reason.find("did you mean") != std::string_view::npos) throw;
+        throw Error(error.kind(),
+                    std::string(reason) + "; it has add, delete, each and set, and ipairs");
+    }
 }
 
 /// A name would be written into the list, and reach no instance.

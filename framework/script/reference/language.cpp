@@ -203,9 +203,11 @@ const std::vector<GlobalDoc>& global_docs() {
          "with the same property ends it. Options are `pauses`, `loops` and `alternate` of the "
          "tween: tween(view, \"height\", 12, 1, \"linear\", { loops = 0, alternate = true })."},
         {"tween.parallel", "tween.parallel(tweens: any[]): TweenGroup",
-         "Runs tweens and groups together."},
+         "Runs tweens and groups together. The list may have the options `pauses`, `loops` and "
+         "`alternate` of the group: tween.parallel { a, b, loops = 2 }."},
         {"tween.sequence", "tween.sequence(tweens: any[]): TweenGroup",
-         "Runs tweens and groups one after the other; a number is a pause in seconds."},
+         "Runs tweens and groups one after the other; a number is a pause in seconds. The list may "
+         "have options of the group: tween.sequence { a, b, loops = 0, alternate = true }."},
         {"undo", "undo(count?: integer)", "Reverses the latest edit, or as many as `count` says."},
         {"unbookmark", "unbookmark(name?: string)",
          "Removes a bookmark; all of them without a name."},

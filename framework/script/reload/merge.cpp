@@ -2,6 +2,7 @@
 
 #include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
+#include <fettle/property/sibling_order.h>
 #include <fettle/property/storage/tweaks.h>
 #include <fettle/script/runtime.h>
 
@@ -63,9 +64,11 @@ void Merge::run(const std::vector<ScriptClasses::NewDefault>& defaults) {
         if (now == next_by_handle_.end()) continue;
         apply(*now->second, living, declared_before(living, now->second->path));
     }
+    note_orders();
     refer_to_results();
     delete_undeclared();
     place_new();
+    put_in_order();
     // Instances of the game that the top level did not make.
     for (const Declared& now : next_)
         if (!now.made && tree_.alive(now.instance) &&
@@ -277,6 +280,40 @@ void Merge::place_new() {
                 tree_.move(each.instance, parent, each.name);
             if (machine_.options.tweaks != nullptr) machine_.options.tweaks->placed(each.instance);
         });
+    }
+}
+
+/// To be called before new instances leave the detached ones.
+void Merge::note_orders() {
+    for (const auto& [made, living] : pairs_)
+        if (made != living && tree_.alive(made)) orders_.emplace_back(living, tree_.children(made));
+    std::unordered_map<std::uint64_t, std::size_t> known;
+    for (const Handle made : machine_.declarations.placed()) {
+        if (!tree_.alive(made)) continue;
+        const Handle parent = result_of(machine_.declarations.place_of(made).parent);
+        const auto [at, is_new] = known.try_emplace(parent.key(), orders_.size());
+        if (is_new) orders_.emplace_back(parent, std::vector<Handle>());
+        orders_[at->second].second.push_back(made);
+    }
+}
+
+/// A new instance comes behind the one that stands before it in the file, and those whose order has
+/// changed in the file change it.
+void Merge::put_in_order() {
+    for (const auto& [parent, children] : orders_) {
+        if (!tree_.alive(parent)) continue;
+        std::vector<Handle> wanted;
+        std::unordered_set<std::uint64_t> declared;
+        for (const Handle child : children)
+            if (const Handle is = result_of(child);
+                tree_.alive(is) && tree_.parent(is) == parent && declared.insert(is.key()).second)
+                wanted.push_back(is);
+        std::vector<Handle> now = tree_.children(parent);
+        std::erase_if(now, [&](Handle each) { return !declared.contains(each.key()); });
+        if (now == wanted) continue;
+        for (std::size_t i = 1; i < wanted.size(); ++i)
+            attempt(wanted[i], "",
+                    [&, i] { property::put_behind(tree_, wanted[i], wanted[i - 1]); });
     }
 }
 

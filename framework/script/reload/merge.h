@@ -55,6 +55,8 @@ class Merge {
     void refer_to_results();
     void delete_undeclared();
     void place_new();
+    void note_orders();
+    void put_in_order();
     void apply_defaults(const std::vector<ScriptClasses::NewDefault>& defaults);
     void call_new();
     void rebind(property::Handle made, property::Handle living);
@@ -71,6 +73,8 @@ class Merge {
     std::vector<std::pair<property::Handle, property::Handle>> pairs_;  // made, living or deleted
     std::unordered_set<std::uint64_t> matched_;                         // living ones that stay
     std::vector<Waiting> waiting_;
+    /// Parents of the game, and the children that the top level gives them, in its order.
+    std::vector<std::pair<property::Handle, std::vector<property::Handle>>> orders_;
 };
 
 }  // namespace fettle::script

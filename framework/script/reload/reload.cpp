@@ -226,6 +226,8 @@ void TopLevel::take(Noted made, Reloaded& result) {
     replace_timers(made.timers);
     merge.finish();
     machine_.classes.end_reload(true);
+    for (std::string& note : machine_.classes.lost_states())
+        result.notes.push_back(std::move(note));
     noted_ = std::move(made);
 }
 

@@ -32,6 +32,7 @@
 #include <objects/hints.h>
 #include <reload/reload.h>
 #include <runtime/parts.h>
+#include <values/recording.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -321,10 +322,14 @@ bool Runtime::draw(property::Painter& painter) {
     Machine& machine = live();
     const RuntimeLifetime::Use use(machine.life);
     struct Holding {
-        Pen& pen;
-        ~Holding() { pen.painter = nullptr; }
-    } const holding{machine.pen};
+        Machine& machine;
+        ~Holding() {
+            machine.pen.painter = nullptr;
+            machine.recording.drawing = false;
+        }
+    } const holding{machine};
     machine.pen.painter = &painter;
+    machine.recording.drawing = true;
     bool ok = call_with_pen(machine, "draw_behind");
     ClassDrawer classes(machine);
     machine.tree.draw(machine.tree.root(), painter, property::Drawing::alpha(), &classes);

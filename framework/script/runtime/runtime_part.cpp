@@ -5,6 +5,7 @@
 #include <classes/unplaced_instances.h>
 #include <handlers/connections.h>
 #include <library/globals.h>
+#include <library/time_functions.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <runtime/method_timers.h>
@@ -117,6 +118,7 @@ std::function<void()> RuntimePart::restore(property::ByteReader& from,
         static const Image nothing;
         const Image& image =
             memory ? *static_cast<const Image*>(static_cast<const Held*>(memory.get())) : nothing;
+        ++machine_.snapshots.restored;
         machine_.random.restore(random);
         if (memory)
             machine_.timers.restore(image.timers, now, image.next_timer);

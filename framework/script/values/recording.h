@@ -1,6 +1,7 @@
 #pragma once
 // Records what one console command reads, writes and prints, for its result.
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,16 +25,18 @@ struct Recording {
     };
     bool active = false;  // while true, all reads and writes take the general path and are recorded
     bool declaring = false;  // the same while the top level of a game runs: see declarations.h
+    bool drawing = false;    // while a function draws: writes take the general path and are noted
     property::Writer writer = property::Writer::script;  // the writer while a script runs
     std::vector<Edit> edits;
     const property::Property* last_read = nullptr;  // its unit is shown with the result
     std::vector<std::string> lines;                 // printed
     std::vector<std::size_t> texts;                 // which of the lines come from `print`
     std::vector<FoldedLines> folded;                // what some of the lines stand for
-    std::string nothing;            // the pattern of the last query that has found nothing
-    std::string missing;            // the callback that was read last and that the game lacks
-    std::size_t dropped = 0;        // edits beyond the limit
-    std::size_t dropped_lines = 0;  // printed lines beyond the limit
+    std::string nothing;                  // the pattern of the last query that has found nothing
+    std::string missing;                  // the callback that was read last and that the game lacks
+    std::set<std::string> drawn_changes;  // of which `note_drawn_change` has given a note
+    std::size_t dropped = 0;              // edits beyond the limit
+    std::size_t dropped_lines = 0;        // printed lines beyond the limit
 
     /// The record of a property, which the caller fills in; nullptr beyond the limit.
     Edit* edit_of(property::Handle of, property::Symbol written);

@@ -22,6 +22,8 @@ using property::Vec2;
 namespace {
 
 constexpr double thinnest_figure = 2;  // px; thinner lines have no round ends
+// px. The painter draws thinner lines of one whole without an overlap at their corners.
+constexpr double thinnest_translucent_figure = 4;
 
 std::vector<Property> line_properties() {
     return {
@@ -59,19 +61,18 @@ std::vector<Property> line_properties() {
 
 void draw_pieces(Painter& painter, Handle self, const std::vector<Piece>& pieces, double pixels,
                  property::Color color) {
-    if (pixels < thinnest_figure) {
-        for (const Piece& piece : pieces)
-            painter.line(piece.from, piece.to, color, static_cast<float>(std::max(1.0, pixels)));
-        return;
-    }
     // All pieces are parts of one figure: where they overlap, a translucent color is drawn once.
     // The highest bit distinguishes the number of the figure from numbers of bodies.
     const std::uint64_t whole =
         std::uint64_t{1} << 63 | std::uint64_t{self.generation} << 32 | self.index;
     painter.part_of(whole);
+    const bool thin = pixels < (color.a >= 1 ? thinnest_figure : thinnest_translucent_figure);
     for (const Piece& piece : pieces)
-        painter.polygon(std::array{piece.from, piece.to}, piece.rounding,
-                        {.fill = color, .border = {0, 0, 0, 0}});
+        if (thin)
+            painter.line(piece.from, piece.to, color, static_cast<float>(std::max(1.0, pixels)));
+        else
+            painter.polygon(std::array{piece.from, piece.to}, piece.rounding,
+                            {.fill = color, .border = {0, 0, 0, 0}});
     painter.part_of(0);
 }
 

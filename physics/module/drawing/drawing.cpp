@@ -208,9 +208,12 @@ void draw_figure(Hosting& hosting, Row row, Painter& painter, double alpha) {
     if (shape.sensor() && !look.fill) paint.fill.a *= sensor_opacity;
     const Frame frame = owner ? Frame(in, owner.index(), alpha) : Frame();
     const bool alone = !owner || owner.shape_count() < 2;
-    if (!alone) painter.part_of(make_row(world_number(row), owner.index()) + std::uint64_t{1});
+    // The lines of a chain are parts of one figure, too.
+    const bool whole = !alone || is_line(shape);
+    if (whole)
+        painter.part_of(make_row(world_number(row), owner ? owner.index() : 0) + std::uint64_t{1});
     draw_form(shape, frame, paint, painter);
-    if (!alone) painter.part_of(0);
+    if (whole) painter.part_of(0);
     if (look.orientation_mark) draw_mark(shape, frame, paint, painter);
 }
 

@@ -211,8 +211,13 @@ void Hosting::report_strays() {
                       "is on no Body, so nothing touches it; put it into one: Body { Circle {} }");
     });
     report_first(stray_joints_, [&](Handle each) {
+        const Row row = tree.row(each);
+        for (const Handle body : {joints.body(row, 0), joints.body(row, 1)})
+            if (body && world_number(tree.row(body)) != world_number(row))
+                return "does nothing: " + tree.path(body) +
+                       " is in another World; a joint connects bodies of the World that it is in";
         return unless(
-            joints.body(tree.row(each), 0) != joints.body(tree.row(each), 1),
+            joints.body(row, 0) != joints.body(row, 1),
             "does nothing: its body_a and body_b are the same, or both nil, which is the world");
     });
     report_first(crossed_limits_, [this](Handle each) { return crossed_limits(each); });
