@@ -9,7 +9,10 @@ namespace {
 
 /// Bodies are wedged if two opposing overlaps add up to this part of the smaller width. A pin that
 /// is a little too wide for its slot stays in it.
-constexpr float wedged_share = 0.25f;
+constexpr float wedged_share = 0.5f, welded_share = 0.25f;
+/// And to this part of the smaller extent: the spikes of stars in a heap are thin and hook into
+/// each other.
+constexpr float extent_share = 0.25f;
 /// Joints have priority over contacts in which the overlap is more than this part of the smaller
 /// width. No load presses bodies together that much.
 constexpr float held_share = 0.125f;
@@ -56,6 +59,7 @@ uint32_t opposing_contact(const ObjectState& objects, uint32_t contact, uint32_t
     const Vec2 push = push_on(body, c);
     const float depth = overlap_of(c.manifold);
     const float width = min(objects.bodies[body].thickness, objects.bodies[other].thickness);
+    const float extent = min(objects.bodies[body].extent, objects.bodies[other].extent);
     uint32_t found = none;
     objects.any_contact(objects.bodies[body].lists.first_contact, none, [&](uint32_t i) {
         const ContactRecord& opposing = objects.contacts[i];
@@ -63,8 +67,12 @@ uint32_t opposing_contact(const ObjectState& objects, uint32_t contact, uint32_t
             return false;
         const uint32_t third = objects.other_body(i, body);
         const float opposing_depth = overlap_of(opposing.manifold);
-        const float least = wedged_share * 2.0f * min(width, objects.bodies[third].thickness);
-        if (!(opposing_depth > -touch_distance && depth + opposing_depth > least)) return false;
+        const bool same = third == other;
+        const float share = same ? wedged_share : welded_share;
+        const float least = max(share * 2.0f * min(width, objects.bodies[third].thickness),
+                                same ? extent_share * extent : 0.0f);
+        const float touches = same ? 0.0f : -touch_distance;
+        if (!(opposing_depth > touches && depth + opposing_depth > least)) return false;
         if (third != other && !are_welded(objects, third, other)) return false;
         found = i;
         return true;
