@@ -64,6 +64,7 @@ script::Evaluation Console::State::answer_terminal(std::string_view command, std
     observing.in_terminal = true;
     script::Evaluation result = prompt.evaluate(std::string(command));
     observing.in_terminal = false;
+    prompt.clear_log_if_wanted();
     if (who.empty() || result.incomplete) return result;
     std::string typed(command.substr(0, command.find('\n')));
     if (typed.size() > longest) typed.resize(code_point_boundary(typed, longest));

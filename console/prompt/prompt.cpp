@@ -412,9 +412,13 @@ bool Prompt::run(const std::string& command, bool force, script::Evaluation* res
     log_.output(evaluation);
     if (evaluation.error) log_.error(*evaluation.error);
     if (result != nullptr) *result = std::move(evaluation);
+    clear_log_if_wanted();
+    return true;
+}
+
+void Prompt::clear_log_if_wanted() {
     if (clears_) log_.clear();
     clears_ = false;
-    return true;
 }
 
 }  // namespace fettle::console

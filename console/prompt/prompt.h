@@ -48,6 +48,8 @@ class Prompt {
     script::Evaluation evaluate(const std::string& command) const;
     /// The log is emptied when the running command has ended.
     void clear_log_afterwards() { clears_ = true; }
+    /// Empties the log if the command that has ended wanted that.
+    void clear_log_if_wanted();
 
     TextEdit& edit() { return edit_; }
     const TextEdit& edit() const { return edit_; }

@@ -77,6 +77,16 @@ TEST_CASE("the log has the commands of terminals with the beginnings of their an
     CHECK(text.find("for i = 1, 2 do") == std::string::npos);
 }
 
+TEST_CASE("clear in a terminal empties the log at once and no later answer") {
+    ObservingRig rig;
+    rig.run("print('first')");
+    asked(rig, "clear");
+    CHECK(rig.text().find("first") == std::string::npos);
+    CHECK(rig.text().find("terminal 3› clear") != std::string::npos);
+    rig.run("print('second')");
+    CHECK(rig.text().find("second") != std::string::npos);
+}
+
 TEST_CASE("a search and a file of commands are answered later") {
     ObservingRig rig;
     rig.step(3);

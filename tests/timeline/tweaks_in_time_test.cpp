@@ -187,6 +187,18 @@ TEST_CASE("an edit of an instance takes its later deletion out of the list") {
     CHECK(game.kept_file().find("deleted") == std::string::npos);
 }
 
+TEST_CASE("what was kept before its moment is listed with its file at its moment") {
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.make("lamp"); });
+    game.run(5);
+    game.time().go_to(2);
+    CHECK(game.tweaks.keep("**").count == 1);
+    game.time().go_to(8);
+    REQUIRE(game.list() == Lines{"world.lamp: nothing → new Body, kept"});
+    CHECK(game.tweaks.list()[0].kept_in == "main.tweaks.json");
+}
+
 TEST_CASE("an instance that is made anew takes the place of one that was left behind") {
     Tweaked game;
     game.run(4);

@@ -23,7 +23,6 @@
 #include <lua/budget.h>
 #include <lua/environment.h>
 #include <lua/host.h>
-#include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
 #include <lua/sources.h>

@@ -40,7 +40,10 @@ void Tweaks::State::set_state(JournalRow& row, RowState state) {
     if (state == RowState::dropped) its.dropped_version = last_version;
     if (state != RowState::kept) return;
     its.kept_version = its.version;
-    if (row.run == JournalRow::left_behind) return;
+    if (row.run == JournalRow::left_behind) {
+        its.row.kept_in = row.kept_in;  // it is listed as kept where it holds
+        return;
+    }
     if (row.kind == Kind::value) its.in_file = its.now;
     // A file that has lost an instance does not describe it any more, whoever had made it.
     if (const auto made = created.find(its.handle.key());
