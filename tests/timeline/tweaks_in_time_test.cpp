@@ -199,6 +199,31 @@ TEST_CASE("what was kept before its moment is listed with its file at its moment
     CHECK(game.tweaks.list()[0].kept_in == "main.tweaks.json");
 }
 
+TEST_CASE("an edit of an instance that is renamed later is kept at the path of this moment") {
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.tree.rename(game.at("world.a"), "x"); });
+    game.run(5);
+    game.person([&] { game.tree.rename(game.at("world.x"), "y"); });
+    game.run(5);
+    game.edit("world.y.gravity_scale", 3);
+    game.run(5);
+    const auto value = [&] {
+        for (const std::string& line : game.list())
+            if (line.find("gravity_scale") != std::string::npos) return line;
+        return std::string();
+    };
+    CHECK(value() == "world.y.gravity_scale: 1 → 3");
+    game.time().go_to(7);
+    CHECK(value() == "world.x.gravity_scale: 1 → 3");
+    game.time().go_to(17);
+    CHECK(value() == "world.y.gravity_scale: 1 → 3");
+    game.time().go_to(2);
+    CHECK(value() == "world.a.gravity_scale: 1 → 3");
+    CHECK(game.tweaks.keep("world.a.**").count == 1);
+    CHECK(game.kept_file().find("\"world.a.gravity_scale\": 3") != std::string::npos);
+}
+
 TEST_CASE("an instance that is made anew takes the place of one that was left behind") {
     Tweaked game;
     game.run(4);

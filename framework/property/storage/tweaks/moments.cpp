@@ -59,6 +59,7 @@ void Tweaks::State::settle() {
     }
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (!holds[i]) leave(*entries[i]);
+    refresh_paths_of_later_values();
     // Several entries may have had one path; that of the instance which is there now comes last.
     std::vector<Entry*> all;
     for (const auto& each : entries)
@@ -134,6 +135,19 @@ void Tweaks::State::leave(Entry& its) {
     }
     index(its);
     add_to_dirty(its);
+}
+
+/// Values that are edited later stay listed. Their instances may have other paths at this moment.
+void Tweaks::State::refresh_paths_of_later_values() {
+    for (const auto& each : entries) {
+        Entry& its = *each;
+        if (!its.away || its.row.kind != Kind::value || !tree.alive(its.handle) ||
+            !attached(its.handle) || tree.path(its.handle) == its.row.instance)
+            continue;
+        refresh_path(its);
+        index(its);
+        add_to_dirty(its);
+    }
 }
 
 Tweaks::State::RowState Tweaks::State::state_now(const Entry& its) {

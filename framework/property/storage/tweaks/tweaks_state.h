@@ -122,6 +122,7 @@ struct Tweaks::State : EditObserver {
     void put(Entry& its, const std::shared_ptr<const SavedEntry>& saved);
     void leave(Entry& its);
     void leave_behind(Entry& its);
+    void refresh_paths_of_later_values();
     void withdraw_left_deletions(Handle instance);
     static bool is_left_behind(const Entry& its) {
         return its.left != nullptr && its.left->state == RowState::open;
