@@ -187,6 +187,19 @@ TEST_CASE("an edit of an instance takes its later deletion out of the list") {
     CHECK(game.kept_file().find("deleted") == std::string::npos);
 }
 
+TEST_CASE("the end of an instance whose tweak was dropped is no tweak") {
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.make("lamp"); });
+    CHECK(game.tweaks.drop("**").count == 1);
+    game.run(2);
+    game.person([&] { game.tree.destroy(game.at("world.lamp")); });
+    CHECK(game.list().empty());
+    game.run(2);
+    game.time().go_to(3);
+    CHECK(game.list().empty());
+}
+
 TEST_CASE("what was kept before its moment is listed with its file at its moment") {
     Tweaked game;
     game.run(4);

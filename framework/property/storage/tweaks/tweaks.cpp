@@ -258,7 +258,8 @@ void Tweaks::State::instance_deleting(Handle instance) {
 /// Makes the tweaks of a deleted instance void until the deletion is undone.
 void Tweaks::State::note_deletion(Handle instance, Handle parent, const std::string& path) {
     if (const auto made = created.find(instance.key());
-        made != created.end() && made->second->row.state == RowState::open) {
+        made != created.end() && (made->second->row.state == RowState::open ||
+                                  made->second->kept_version == 0)) {  // no file has it
         make_void(path, {}, *made->second);
         made->second->gone = true;
         made->second->deletion = nullptr;  // it does not come back with another one
