@@ -1,4 +1,5 @@
 #include <contacts/crushed_bodies.h>
+#include <contacts/overlaps.h>
 #include <state/place_shape.h>
 
 #include <algorithm>
@@ -24,12 +25,6 @@ constexpr float keeping_up = 0.5f;
 /// Bodies that overlap by more than this part of the smaller width are pressed together. Bodies in
 /// a stack overlap by less.
 constexpr float pressed_share = 0.02f;
-
-float depth_of(const Manifold& m) {
-    float separation = m.points[0].separation;
-    if (m.count > 1) separation = min(separation, m.points[1].separation);
-    return -separation;
-}
 
 float width_of(const ObjectState& objects, uint32_t body) {
     return 2.0f * objects.bodies[body].thickness;
@@ -88,10 +83,6 @@ class Pressure {
         const float inner = inner_radius(objects_, shape);
         return inner > 0.0f ? min(width(body), 2.0f * inner) : width(body);
     }
-    /// The normal of the contact, towards `body`.
-    static Vec2 normal_towards(uint32_t body, const ContactRecord& c) {
-        return body == c.body_b ? c.manifold.normal : -c.manifold.normal;
-    }
     /// True if the contact pushes the body against `push`.
     static bool opposes(uint32_t body, const ContactRecord& c, Vec2 push) {
         return c.acts() && dot(normal_towards(body, c), push) < opposite;
@@ -117,12 +108,12 @@ class Pressure {
         const uint32_t from = pressed.from;
         const ContactRecord& pressing = objects_.contacts[from];
         const Vec2 push = normal_towards(body, pressing);
-        const float depth = depth_of(pressing.manifold);
+        const float depth = overlap_of(pressing.manifold);
         const uint32_t first = objects_.bodies[body].lists.first_contact;
         return objects_.any_contact(first, none, [&](uint32_t contact) {
             const ContactRecord& c = objects_.contacts[contact];
             if (contact == from || !opposes(body, c, push)) return false;
-            const float opposing = depth_of(c.manifold);
+            const float opposing = overlap_of(c.manifold);
             const uint32_t other = objects_.other_body(contact, body);
             if (is_fixed(other)) {
                 const uint32_t obstacle = other == c.body_a ? c.shape_a : c.shape_b;
@@ -192,7 +183,7 @@ void release_pressed(ObjectState& objects, const ContactRecord& ended) {
             const bool moves = objects.bodies[other].mobility == Mobility::dynamic;
             const float width = width_of(objects, body);
             const float least = moves ? min(width, width_of(objects, other)) : width;
-            if (!(depth_of(c.manifold) > pressed_share * least)) return;
+            if (!(overlap_of(c.manifold) > pressed_share * least)) return;
             c.clear_impulses();
             add(other);
         });

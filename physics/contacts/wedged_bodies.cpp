@@ -1,3 +1,4 @@
+#include <contacts/overlaps.h>
 #include <contacts/wedged_bodies.h>
 #include <state/joint_kind.h>
 #include <state/limits.h>
@@ -20,16 +21,6 @@ constexpr float held_share = 0.125f;
 constexpr float opposed = -0.5f;
 /// Maximum number of bodies through which welds are followed.
 constexpr size_t most_welded = 16;
-
-float overlap_of(const Manifold& m) {
-    const float first = m.points[0].separation;
-    return -(m.count == 2 ? min(first, m.points[1].separation) : first);
-}
-
-/// The normal towards `body`.
-Vec2 push_on(uint32_t body, const ContactRecord& c) {
-    return body == c.body_b ? c.manifold.normal : -c.manifold.normal;
-}
 
 /// True if rigid welds join two bodies, directly or through others.
 bool are_welded(const ObjectState& objects, uint32_t a, uint32_t b) {
@@ -56,14 +47,14 @@ bool are_welded(const ObjectState& objects, uint32_t a, uint32_t b) {
 uint32_t opposing_contact(const ObjectState& objects, uint32_t contact, uint32_t body) {
     const ContactRecord& c = objects.contacts[contact];
     const uint32_t other = objects.other_body(contact, body);
-    const Vec2 push = push_on(body, c);
+    const Vec2 push = normal_towards(body, c);
     const float depth = overlap_of(c.manifold);
     const float width = min(objects.bodies[body].thickness, objects.bodies[other].thickness);
     const float extent = min(objects.bodies[body].extent, objects.bodies[other].extent);
     uint32_t found = none;
     objects.any_contact(objects.bodies[body].lists.first_contact, none, [&](uint32_t i) {
         const ContactRecord& opposing = objects.contacts[i];
-        if (i == contact || !opposing.acts() || dot(push_on(body, opposing), push) > opposed)
+        if (i == contact || !opposing.acts() || dot(normal_towards(body, opposing), push) > opposed)
             return false;
         const uint32_t third = objects.other_body(i, body);
         const float opposing_depth = overlap_of(opposing.manifold);

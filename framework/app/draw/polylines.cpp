@@ -16,6 +16,7 @@ namespace {
 constexpr float same_point = 0.05f;      // px
 constexpr float closing_gap = 0.5f;      // px; points this near close a line
 constexpr float shortest_piece = 0.75f;  // px; shorter pieces are joined with the next one
+constexpr float sharpest = -0.7f;        // cosine of the turn; a sharper corner ends the line
 
 float length_of(sf::Vector2f v) {
     return std::hypot(v.x, v.y);
@@ -37,7 +38,7 @@ void Canvas::add_to_polyline(sf::Vector2f from, sf::Vector2f to, sf::Color color
     bool turns_back = false;
     if (goes_on && line.points.size() > 1) {
         const sf::Vector2f before = side_of(line.points[line.points.size() - 2], from);
-        turns_back = dot(before, side_of(from, to)) < -0.7f;
+        turns_back = dot(before, side_of(from, to)) < sharpest;
     }
     if (!goes_on || turns_back) {
         draw_collected();
@@ -58,7 +59,6 @@ void Canvas::draw_polyline() {
     if (line.points.size() < 2) return line.points.clear();
     const std::vector<sf::Vector2f> points = std::exchange(line.points, {});
     const std::size_t n = points.size();
-    const bool closed = n > 3 && length_of(points.front() - points.back()) < closing_gap;
     struct Cut {
         sf::Vector2f at, side;  // side: as long as the line is wide there, for a width of 2
         bool visible;
@@ -69,8 +69,10 @@ void Canvas::draw_polyline() {
     };
     const sf::Vector2f first = side_of(points[0], points[1]);
     const sf::Vector2f last = side_of(points[n - 2], points[n - 1]);
+    const bool closed = n > 3 && length_of(points.front() - points.back()) < closing_gap &&
+                        dot(last, first) > sharpest;
     const auto along = [](sf::Vector2f side) { return sf::Vector2f(-side.y, side.x); };
-    if (closed && dot(last, first) > -0.7f) {
+    if (closed) {
         corner(points[0], last, first);
     } else {
         cuts.push_back({points[0] - 0.5f * along(first), first, false});
@@ -78,7 +80,7 @@ void Canvas::draw_polyline() {
     }
     for (std::size_t i = 1; i + 1 < n; ++i)
         corner(points[i], side_of(points[i - 1], points[i]), side_of(points[i], points[i + 1]));
-    if (closed && dot(last, first) > -0.7f) {
+    if (closed) {
         corner(points[n - 1], last, first);
     } else {
         cuts.push_back({points[n - 1] - 0.5f * along(last), last, true});

@@ -153,9 +153,7 @@ std::string classes_declaring(const property::Tree& tree, const std::string& nam
     return text;
 }
 
-/// "; its shapes have it, as in Circle { radius = ... }" for what belongs to the shapes of a body,
-/// or
-/// "".
+/// "; its shapes have it, as in Circle { radius = ... }", or "" if no shape of a body has it.
 std::string hint_at_shapes(const property::Tree& tree, const Class& of, const std::string& name) {
     const Class* const body = tree.find_class("Body");
     const Class* const shape = tree.find_class("Shape");
