@@ -133,7 +133,7 @@ Command add_test(CLI::App& app) {
     command.flag("--output", &TestOptions::output,
                  "Show what the game printed in each test, also in one that passes");
     command.number("--timeout", &TestOptions::timeout, 1, longest_test,
-                   "Stop a test that takes longer than this number of seconds; 60 by default");
+                   "Stop a test that takes longer than this number of seconds of processor time; 60 by default");
     command.text("--module", &TestOptions::modules, "a file or a name",
                  "Plug in a module: a shared object, or the name of an installed one (repeatable)");
     return command.runs(test);

@@ -16,7 +16,7 @@ struct TestOptions {
     std::filesystem::path junit{};  // report to write; empty: none
     bool update = false;            // write the pictures instead of comparing them
     bool output = false;            // show what the game printed, also if the test passes
-    std::uint64_t timeout = 60;     // s, of each test
+    std::uint64_t timeout = 60;     // s of processor time, of each test
     std::vector<std::string> modules{};
 };
 

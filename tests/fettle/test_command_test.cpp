@@ -228,7 +228,7 @@ test("after", function(t) end)
                                   {"--timeout", "1"});
     INFO(run.out << run.err);
     CHECK(run.status == 1);
-    CHECK(contains(run.out, "FAIL  tests/ball.lua: steps\n      the test did not end within "));
+    CHECK(contains(run.out, "FAIL  tests/ball.lua: steps\n      the test did not end within 1 s of processor time"));
     CHECK(contains(run.out, "FAIL  tests/ball.lua: loops\n"));
     CHECK(contains(run.out, "ok    tests/ball.lua: after\n3 tests, 2 failed\n"));
 }
