@@ -15,6 +15,7 @@
 #include <fettle/script/reference.h>
 
 #include <command_line/exit_status.h>
+#include <command_line/for_shell.h>
 #include <command_line/joined.h>
 #include <command_line/subcommand.h>
 #include <command_line/terminal.h>
@@ -99,19 +100,6 @@ void write_annotations(const fs::path& folder) {
     run.headless = true;
     Session session(run, nullptr, {});
     write_file(folder / ".editor" / "fettle.lua", script::annotations(session.tree()));
-}
-
-/// The text in the form in which it must be typed as an argument.
-std::string for_shell(const std::string& text) {
-    const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
-        const auto byte = static_cast<unsigned char>(c);
-        return std::isalnum(byte) != 0 || byte >= 0x80 ||
-               std::string_view("_-./+,:@%=").find(c) != std::string_view::npos;
-    });
-    if (plain) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 void make(const fs::path& folder, const std::string& pattern, const std::string& name) {

@@ -7,6 +7,7 @@
 #include <fettle/property/storage/game_settings.h>
 
 #include <command_line/exit_status.h>
+#include <command_line/for_shell.h>
 #include <command_line/joined.h>
 #include <command_line/subcommand.h>
 #include <command_line/terminal.h>
@@ -94,7 +95,7 @@ int package(const PackageOptions& options) {
         write_archive(options.file, files);
         print_line(options.file.string() + ": " + std::to_string(files.size()) +
                    (files.size() == 1 ? " file" : " files") + ". Play it with fettle run " +
-                   options.file.string());
+                   for_shell(options.file.string()));
     }
     std::vector<fs::path> libraries;
     if (!options.linux_run.empty() || !options.deb.empty()) libraries = bring_modules(game, files);

@@ -129,7 +129,10 @@ void add_file(void* archive, const fs::path& file, const std::string& name,
                     zipWriteInFileInZip(archive, content.data(),
                                         static_cast<unsigned>(content.size())) == ZIP_OK &&
                     zipCloseFileInZip(archive) == ZIP_OK;
-    if (!ok) refuse(file, "cannot be written");
+    if (!ok)
+        refuse(file, "cannot be written: " +
+                         reason_of_write(fs::absolute(file).parent_path(),
+                                         std::error_code(errno, std::generic_category())));
 }
 
 }  // namespace
@@ -138,8 +141,9 @@ void write_archive(const fs::path& file, const ArchiveFiles& files) {
     const Draft folder(file);
     const fs::path draft = folder.path / "archive";
     const auto refuse_now = [&] {
-        refuse(file, std::string("cannot be written") +
-                         (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
+        refuse(file,
+               "cannot be written: " +
+                   reason_of_write(folder.path, std::error_code(errno, std::generic_category())));
     };
     errno = 0;
     try {
@@ -149,7 +153,7 @@ void write_archive(const fs::path& file, const ArchiveFiles& files) {
         if (zipClose(archive.release(), nullptr) != ZIP_OK) refuse_now();
         fs::rename(draft, file);
     } catch (const fs::filesystem_error& error) {
-        refuse(file, "cannot be written: " + error.code().message());
+        refuse(file, "cannot be written: " + reason_of_write(folder.path, error.code()));
     }
 }
 

@@ -2,6 +2,8 @@
 // A folder in which something is made that has its name only when it is complete.
 
 #include <filesystem>
+#include <string>
+#include <system_error>
 
 namespace fettle::program {
 
@@ -14,5 +16,8 @@ class Draft {
     Draft(const Draft&) = delete;
     const std::filesystem::path path;
 };
+
+/// Why a file could not be written into the folder: the disk is full, or the reason of the system.
+std::string reason_of_write(const std::filesystem::path& folder, const std::error_code& code);
 
 }  // namespace fettle::program

@@ -64,17 +64,25 @@ bool is_left_out(const fs::path& name, const std::vector<std::string>& exclude) 
            std::ranges::any_of(never_packed, named) || std::ranges::any_of(exclude, named);
 }
 
+/// Whether `fettle package --linux` has made the folder.
+bool is_package(const fs::path& folder) {
+    return fs::is_regular_file(folder / "bin/fettle") && fs::is_directory(folder / "share/fettle");
+}
+
 }  // namespace
 
 PackedGame packed_game(const fs::path& game, const std::vector<std::string>& exclude) {
     const fs::path folder = folder_of(game);
     property::GameFiles reader;
     reader.stay_below(folder);
+    // A package begins with main.lua.
+    if (!fs::is_directory(game))
+        return {.files = {{"main.lua", reader.read(game)}}, .one_file = true};
     PackedGame packed;
     for (fs::recursive_directory_iterator it(folder), end; it != end; ++it) {
         const fs::path name = it->path().lexically_relative(folder);
         const bool is_folder = it->is_directory() && !it->is_symlink();
-        if (is_left_out(name, exclude)) {
+        if (is_left_out(name, exclude) || (is_folder && is_package(it->path()))) {
             if (is_folder) it.disable_recursion_pending();
             if (!name.filename().string().starts_with('.'))
                 packed.left_out.push_back(name.generic_string() + (is_folder ? "/" : ""));
@@ -83,10 +91,6 @@ PackedGame packed_game(const fs::path& game, const std::vector<std::string>& exc
         if (it->is_directory()) continue;
         require_file(it->path(), "a file of the game");
         packed.files[name.generic_string()] = reader.read(it->path());
-    }
-    if (!fs::is_directory(game)) {  // one .lua file: a package begins with main.lua
-        const std::string name = game.filename().string();
-        packed = {.files = {{"main.lua", reader.read(game)}}};
     }
     std::ranges::sort(packed.left_out);
     return packed;

@@ -82,8 +82,8 @@ void copy_trial_program(const fs::path& to) {
 }
 
 /// Everything but the game's start: the program, its libraries, assets and fonts, and the game.
-void fill(const fs::path& folder, const ArchiveFiles& files,
-          const std::vector<fs::path>& more_libraries) {
+void copy_all(const fs::path& folder, const ArchiveFiles& files,
+              const std::vector<fs::path>& more_libraries) {
     fs::create_directories(folder / "bin");
     fs::create_directories(folder / "lib");
     fs::create_directories(folder / "share/fettle/fonts");
@@ -99,6 +99,17 @@ void fill(const fs::path& folder, const ArchiveFiles& files,
     if (const fs::path own = assets(); !own.empty())
         fs::copy(own, folder / "share/fettle/assets", fs::copy_options::recursive);
     for (const auto& [name, content] : files) write_with_folder(folder / "game" / name, content);
+}
+
+/// The same; a full disk is an error that names the package.
+void fill(const fs::path& package, const fs::path& folder, const ArchiveFiles& files,
+          const std::vector<fs::path>& more_libraries) {
+    try {
+        copy_all(folder, files, more_libraries);
+    } catch (const fs::filesystem_error& error) {
+        throw FileError(package.string() + ": cannot be written: " +
+                        reason_of_write(fs::absolute(package).parent_path(), error.code()));
+    }
 }
 
 /// A shell script that starts the game; `here` is an expression of the shell for the folder.
@@ -153,7 +164,7 @@ void make_folder(const fs::path& to, const PackageFacts& facts, const ArchiveFil
         throw FileError(to.string() + ": there is something already, so nothing was made");
     const Draft draft(to);
     const fs::path folder = packed ? draft.path / facts.id : draft.path / "folder";
-    fill(folder, files, more_libraries);
+    fill(to, folder, files, more_libraries);
     write_start(folder / start_of_folder(facts),
                 "$(cd \"$(dirname \"$(readlink -f \"$0\")\")\" && pwd)");
     if (packed) {
@@ -174,7 +185,7 @@ void make_debian_package(const fs::path& to, const PackageFacts& facts, const Ar
     const Draft draft(to);
     const fs::path root = draft.path / "package", made = draft.path / to.filename();
     const std::string place = "/usr/lib/" + facts.id;
-    fill(root / place.substr(1), files, more_libraries);
+    fill(to, root / place.substr(1), files, more_libraries);
     write_start(root / "usr/games" / facts.id, place);
     write_with_folder(root / "usr/share/applications" / (facts.id + ".desktop"),
                       "[Desktop Entry]\nType=Application\nName=" + facts.name +

@@ -14,7 +14,9 @@ bool is_file_name(const std::string& text) {
     constexpr std::array<std::string_view, 18> endings = {
         ".png", ".jpg", ".jpeg", ".bmp",  ".tga", ".wav", ".ogg", ".flac", ".mp3",
         ".ttf", ".otf", ".ttc",  ".json", ".tmj", ".tmx", ".tsj", ".tsx",  ".frag"};
-    if (text.size() > 300 || text.find_first_of("*?%\n\t") != std::string::npos) return false;
+    if (text.size() > 300 || text.find_first_of("*?%\n\t") != std::string::npos ||
+        text.find("://") != std::string::npos)
+        return false;
     const std::filesystem::path path(text);
     std::string ending = path.extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -33,9 +35,11 @@ class Reader {
                 skip_comment();
             } else if (c == '"' || c == '\'') {
                 const int line = line_;
-                add(quoted(), line);
-            } else if (const auto long_text = bracketed()) {
-                add(*long_text, line_);
+                const std::size_t begin = at_;
+                const std::string content = quoted();
+                add(content, begin, line);
+            } else if (const std::size_t begin = at_; const auto long_text = bracketed()) {
+                add(*long_text, begin, line_);
             } else if (std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_') {
                 read_word();
             } else {
@@ -100,9 +104,21 @@ class Reader {
         while (at_ < std::min(close + end.size(), text_.size())) advance();
         return content;
     }
-    void add(const std::string& text, int line) {
+    /// True if the text from `begin` to here is a part of a longer one, as in "art/" .. name, or
+    /// the key of a table, as in t["a.png"]: neither names a file.
+    bool is_part_or_key(std::size_t begin) const {
+        constexpr std::string_view spaces = " \t\r\n";
+        const std::size_t last =
+            begin == 0 ? text_.npos : text_.find_last_not_of(spaces, begin - 1);
+        const std::size_t next = text_.find_first_not_of(spaces, at_);
+        const std::string_view before = last == text_.npos ? "" : text_.substr(0, last + 1);
+        const std::string_view after = next == text_.npos ? "" : text_.substr(next);
+        return before.ends_with("..") || after.starts_with("..") ||
+               (before.ends_with('[') && after.starts_with(']'));
+    }
+    void add(const std::string& text, std::size_t begin, int line) {
         const bool module = before_ == "require";
-        if (module || is_file_name(text))
+        if (!is_part_or_key(begin) && (module || is_file_name(text)))
             names_.push_back(
                 {.name = text, .line = line, .module = module, .written = before_ == "scene.save"});
         before_.clear();

@@ -24,7 +24,7 @@ std::string lower_case(std::string text) {
 /// Looks a name up as a game does.
 class Names {
   public:
-    explicit Names(const PackedGame& game) : left_out_(game.left_out) {
+    explicit Names(const PackedGame& game) : left_out_(game.left_out), one_file_(game.one_file) {
         for (const auto& [name, content] : game.files) all_.push_back(name);
         shared_ = assets();
     }
@@ -34,6 +34,9 @@ class Names {
                (!shared_.empty() && fs::is_regular_file(shared_ / name, error));
     }
     std::string hint(const std::string& name) const {
+        if (one_file_)
+            return ": the package of a game that is one file has that file only; a game with more "
+                   "files is a folder with main.lua";
         for (const std::string& each : left_out_)
             if (each == name || (each.ends_with('/') && name.starts_with(each)))
                 return ": packages leave " + each + " out";
@@ -47,6 +50,7 @@ class Names {
 
   private:
     const std::vector<std::string>& left_out_;
+    bool one_file_ = false;
     std::vector<std::string> all_;
     fs::path shared_;
 };

@@ -470,13 +470,16 @@ void Session::fail(const script::ScriptError& error) {
     run_.failed = true;
     report_error(error);
     loop_->halt();
-    if (receivers_.errors) receivers_.errors(error);
+    if (receivers_.errors && !receivers_.output) receivers_.errors(error);
 }
 
 /// A method that fails for each of a hundred instances is reported once, with the count.
 void Session::report_error(const script::ScriptError& error) {
     if (!repeated_.first(error)) return;
-    if (!receivers_.output) print_error_lines(app::error_text(error));
+    if (!receivers_.output)
+        print_error_lines(app::error_text(error));
+    else if (receivers_.errors)
+        receivers_.errors(error);
     if (listener_) listener_->print(app::error_text(error));
     if (console_) console_->report(error);
 }

@@ -68,6 +68,8 @@ Map Reader::map() {
     const Json document = parse_document(file_, read_(file_));
     if (!document.is_object()) fail(file_, "this is not a map");
     const Place place{file_, document, {}};
+    if (const std::string type = place.text("type", "map"); type != "map")
+        place.fail("expected a map, got a " + type);
     map_.class_name = place.text("class");
     map_.width = static_cast<int>(place.integer("width", 0, 0, max_side));
     map_.height = static_cast<int>(place.integer("height", 0, 0, max_side));

@@ -58,6 +58,8 @@ Tileset Reader::tileset(const Place& outer, const std::string& in) {
     set.margin = static_cast<int>(place.integer("margin", 0, 0, max_side));
     if (const std::string image = place.text("image"); !image.empty())
         set.image = beside(file, image);
+    if (!set.image.empty() && (set.tile_width == 0 || set.tile_height == 0))
+        place.fail("a tileset with an image needs \"tilewidth\" and \"tileheight\"");
     set.image_size = Vec2(place.number("imagewidth", 0), place.number("imageheight", 0));
     set.alignment = place.text("objectalignment");
     if (place.has("tileoffset")) {

@@ -20,7 +20,11 @@ class Converter {
 
     Json convert(const pugi::xml_node& root) {
         const std::string_view name = root.name();
-        if (name == "map" || name == "tileset" || name == "template") return element(root, 0);
+        if (name == "map" || name == "tileset" || name == "template") {
+            Json all = element(root, 0);
+            all["type"] = name;  // as in the other format
+            return all;
+        }
         fail(file_, "expected a map, a tileset or a template, got <" + std::string(name) + ">");
     }
 

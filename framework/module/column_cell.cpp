@@ -21,11 +21,14 @@ std::byte* cell(const BridgedProperty& p, Row row) {
     const std::size_t stride =
         p.native.stride != 0 ? p.native.stride : size_of(static_cast<Native>(p.native.native));
     auto* const base = static_cast<std::byte*>(p.native.base(p.native.context));
-    if (base == nullptr) [[unlikely]]
+    if (base == nullptr) [[unlikely]] {
+        const std::string reason = p.host->take_reason();
         throw property::Error(property::ErrorKind::rejected,
-                              p.declared->owner->name() + "." + p.declared->name +
-                                  ": it has no memory: the `base` of its column gave a null "
-                                  "pointer");
+                              p.declared->owner->name() + "." + p.declared->name + ": " +
+                                  (reason.empty() ? "it has no memory: the `base` of its column "
+                                                    "gave a null pointer"
+                                                  : reason));
+    }
     return base + row * stride;
 }
 

@@ -213,11 +213,15 @@ std::uint64_t Plugin::hash() const {
 property::Memory Plugin::save(property::ByteWriter& to) const {
     State& s = *state_;
     s.require_loaded();
-    s.host.require(s.open.native.save(s.open.native.context, &to,
-                                      [](void* sink, const void* data, std::size_t size) {
-                                          static_cast<property::ByteWriter*>(sink)->raw(data, size);
-                                      }),
-                   "save");
+    const auto write = [](void* sink, const void* data, std::size_t size) {
+        static_cast<property::ByteWriter*>(sink)->raw(data, size);
+    };
+    try {
+        s.host.require(s.open.native.save(s.open.native.context, &to, write), "save");
+    } catch (const std::exception& problem) {
+        throw property::Error(property::ErrorKind::rejected,
+                              "module " + s.name + " cannot be saved: " + problem.what());
+    }
     return {};
 }
 
@@ -232,7 +236,9 @@ std::function<void()> Plugin::restore(property::ByteReader& from, const property
     if (call(0) != FETTLE_OK) from.fail(s.host.take_reason());
     from = property::ByteReader({});
     return [&s, call] {
-        (void)call(1);
+        if (call(1) != FETTLE_OK && s.host.print)
+            s.host.print("module " + s.name +
+                         ": its `restore` did not finish: " + s.host.take_reason());
         for (const auto& c : s.classes) c->recount();
     };
 }

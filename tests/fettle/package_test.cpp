@@ -167,6 +167,53 @@ TEST_CASE("comments and files that the game makes do not stop a package") {
     CHECK(fettle(folder, {"package", game, "--file", file, "--made", "made.json"}).status == 0);
 }
 
+TEST_CASE("parts of names and keys of tables do not stop a package") {
+    const Folder folder;
+    folder.write("game/main.lua",
+                 "local dir = 'art/' local sizes = { ['b.png'] = 1 } "
+                 "print(dir .. 'a.png', 'art/' .. 'a.png', 'c.png' .. dir, sizes['b.png'], "
+                 "'https://example.org/d.png', [[e]] .. [[f.png]])");
+    const std::string game = (folder / "game").string(),
+                      file = (folder / "my game.fettle").string();
+    const Outcome made = fettle(folder, {"package", game, "--file", file});
+    INFO(made.err);
+    CHECK(made.status == 0);
+    CHECK(contains(made.out, "Play it with fettle run '" + file + "'"));
+    folder.write("game/main.lua", "local list = { 'a.png' }");
+    CHECK(fettle(folder, {"package", game, "--file", file}).status == 3);
+}
+
+TEST_CASE("a package inside of the game is not packed again") {
+    const Folder folder;
+    write_game(folder);
+    folder.write("game/out/bin/fettle", "");
+    folder.write("game/out/share/fettle/fonts/a.ttf", "");
+    folder.write("game/bin/notes.json", "{}");
+    const Outcome made = fettle(
+        folder, {"package", (folder / "game").string(), "--file", (folder / "a.fettle").string()});
+    INFO(made.out << made.err);
+    CHECK(contains(made.out, "left out: out/, tests/"));
+    CHECK(contains(made.out, "6 files"));
+}
+
+TEST_CASE("a game that is one file is packed without what is beside it") {
+    const Folder folder;
+    write_game(folder);
+    folder.write("game/alone.lua", "print('here')");
+    std::filesystem::create_symlink("nowhere", folder / "game/link");
+    const std::string file = (folder / "a.fettle").string();
+    const Outcome alone =
+        fettle(folder, {"package", (folder / "game/alone.lua").string(), "--file", file});
+    INFO(alone.out << alone.err);
+    CHECK(contains(alone.out, "1 file."));
+    const Outcome more =
+        fettle(folder, {"package", (folder / "game/main.lua").string(), "--file", file});
+    CHECK(more.status == 3);
+    CHECK(contains(more.err,
+                   "\"art/hero.tga\": the package of a game that is one file has that "
+                   "file only; a game with more files is a folder with main.lua"));
+}
+
 TEST_CASE("a damaged archive and one with strange names are refused") {
     const Folder folder;
     folder.write("no.fettle", "this is not an archive");

@@ -218,6 +218,16 @@ end)
     CHECK(contains(run.out, "1 test, 1 failed"));
 }
 
+TEST_CASE("a test fails if the game misses a file") {
+    const Folder folder;
+    const Outcome run = run_tests(folder, R"lua(
+test("x", function(t) world.level = Tilemap { map = "none.tmj" } t:steps(2) end)
+)lua");
+    INFO(run.out << run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.out, "world.level.map: there is no file \"none.tmj\""));
+}
+
 TEST_CASE("a test that never ends is stopped") {
     const Folder folder;
     const Outcome run = run_tests(folder, R"lua(
@@ -228,7 +238,9 @@ test("after", function(t) end)
                                   {"--timeout", "1"});
     INFO(run.out << run.err);
     CHECK(run.status == 1);
-    CHECK(contains(run.out, "FAIL  tests/ball.lua: steps\n      the test did not end within 1 s of processor time"));
+    CHECK(contains(
+        run.out,
+        "FAIL  tests/ball.lua: steps\n      the test did not end within 1 s of processor time"));
     CHECK(contains(run.out, "FAIL  tests/ball.lua: loops\n"));
     CHECK(contains(run.out, "ok    tests/ball.lua: after\n3 tests, 2 failed\n"));
 }

@@ -260,7 +260,8 @@ TEST_CASE("the tileset of a template need not be one of the map") {
     const Map with = read({{"m", map},
                            {"things/coin.tj", thing("3")},
                            {"things/gem.tj", thing("2147483652")},  // mirrored
-                           {"t.tsj", R"({"name":"t","tilecount":9,"columns":3,"image":"t.png"})"}},
+                           {"t.tsj", R"({"name":"t","tilecount":9,"columns":3,
+                             "tilewidth":8,"tileheight":8,"image":"t.png"})"}},
                           "m");
     REQUIRE(with.tilesets.size() == 2);
     CHECK(with.tilesets[1].image == "t.png");
@@ -286,6 +287,10 @@ TEST_CASE("a damaged map is an error with file and place") {
     CHECK(reason(R"({"name": ")" + std::string(1000, '[') + R"(\")" + std::string(1000, '{') +
                  "\"}") == "m.tmj: this is not a map: it has no \"tilewidth\" and \"tileheight\"");
     CHECK(reason("{}") == "m.tmj: this is not a map: it has no \"tilewidth\" and \"tileheight\"");
+    CHECK(reason(R"({"type":"tileset","tilewidth":8,"tileheight":8})") ==
+          "m.tmj: expected a map, got a tileset");
+    CHECK(reason("<tileset tilewidth=\"8\" tileheight=\"8\"/>") ==
+          "m.tmj: expected a map, got a tileset");
     CHECK_THAT(reason("{\n\"width\":\n]"), contains("m.tmj: line 3: "));
     CHECK_THAT(reason("<map>\n<layer>\n</map>"), contains("m.tmj: line "));
     CHECK(reason("<html/>") == "m.tmj: expected a map, a tileset or a template, got <html>");

@@ -76,6 +76,20 @@ TEST_CASE("a saved value is converted if the type of its property has changed") 
     CHECK(restore_remarks(now.tree).empty());
 }
 
+TEST_CASE("saved values of a property that is gone are reported") {
+    Version old({of_type("healt", 10), of_type("same", "x")});
+    const Handle a = old.make("a");
+    old.make("b");
+    old.tree.set(a, "healt", 33);
+    Version now({of_type("health", 10), of_type("same", "x")});
+    now.load(old);
+    CHECK(now.tree.get(a, "health") == Value(10));
+    REQUIRE(restore_remarks(now.tree).size() == 1);
+    CHECK(restore_remarks(now.tree)[0] ==
+          "Thing.healt: the class no longer has this property (did you mean \"health\"?); the "
+          "saved value 33 and 1 more are not restored");
+}
+
 TEST_CASE("a property keeps its default if it refuses the saved value") {
     const auto version = [](Range range, std::vector<std::string> enumerators, bool clamp,
                             std::string owner) {

@@ -87,4 +87,15 @@ TEST_CASE_METHOD(Land, "an object that cannot be made is reported with its place
                         contains("scale") && contains("a map cannot make a Tilemap"));
 }
 
+TEST_CASE_METHOD(Land, "cells whose tile no tileset has are reported") {
+    write("level.tmj", R"({"type":"map","orientation":"orthogonal","width":2,"height":2,
+        "tilewidth":8,"tileheight":8,"tilesets":[],
+        "layers":[{"type":"tilelayer","id":1,"name":"ground","width":2,"height":2,
+                   "data":[7,0,8,0]}]})");
+    map();
+    REQUIRE(problems.size() == 1);
+    CHECK_THAT(problems[0],
+               contains("layer \"ground\": no tileset has the tile 7; 2 cells stay empty"));
+}
+
 }  // namespace map_object_test

@@ -16,7 +16,6 @@ namespace {
 /// A module and its tree. The tree is destroyed first.
 struct Guest {
     std::unique_ptr<Module> module;
-    std::string name;
     property::Tree tree;
     std::function<void()> finish_restore;  // second part of `restore`: writes the checked data
 };
@@ -32,28 +31,28 @@ fettle_status attach(void* context) {
 
 /// Runs `body` and prints an exception, for callbacks that return no status.
 template <class Body>
-void run_and_print_errors(Guest& guest, Body&& body) {
-    const fettle_host* host = guest.tree.state().host;
-    guest.tree.state().follow_listeners();
-    try {
+void run(Guest& guest, const char* callback, Body&& body) noexcept {
+    guest.tree.state().run(callback, "", [&] {
+        guest.tree.state().follow_listeners();
         body();
-    } catch (const std::exception& error) {
-        host->print(host->self, (guest.name + ": " + error.what()).c_str());
-    }
+    });
 }
 
 void step(void* context, double dt) {
     Guest& guest = guest_of(context);
-    run_and_print_errors(guest, [&] { guest.module->step(dt); });
+    run(guest, "step", [&] { guest.module->step(dt); });
 }
 
 void report(void* context) {
     Guest& guest = guest_of(context);
-    run_and_print_errors(guest, [&] { guest.module->report(guest.tree); });
+    run(guest, "report", [&] { guest.module->report(guest.tree); });
 }
 
 std::uint64_t hash(void* context) {
-    return guest_of(context).module->hash();
+    Guest& guest = guest_of(context);
+    std::uint64_t value = 0;
+    run(guest, "hash", [&] { value = guest.module->hash(); });
+    return value;
 }
 
 fettle_status save(void* context, void* sink,
@@ -74,7 +73,7 @@ fettle_status restore(void* context, const void* data, size_t size, std::uint32_
             property::SnapshotPart* part = guest.tree.state().part;
             property::ByteReader reader(
                 std::span(static_cast<const std::byte*>(data), data == nullptr ? 0 : size),
-                guest.name);
+                guest.tree.state().module);
             guest.finish_restore = part == nullptr ? nullptr : part->restore(reader, {});
         } else if (guest.finish_restore) {
             guest.finish_restore();
@@ -85,7 +84,7 @@ fettle_status restore(void* context, const void* data, size_t size, std::uint32_
 
 void refresh(void* context, std::uint64_t what) {
     Guest& guest = guest_of(context);
-    run_and_print_errors(guest, [&] {
+    run(guest, "refresh", [&] {
         if (property::SnapshotPart* part = guest.tree.state().part) part->refresh(what);
     });
 }
@@ -112,8 +111,9 @@ fettle_status open_guest(const fettle_host* host, fettle_module* module, const c
         auto guest = std::make_unique<Guest>();
         guest->tree.state().host = host;
         guest->module = make();
-        guest->name = guest->module->name();
-        module->name = guest->name.c_str();
+        std::string& name = guest->tree.state().module;
+        name = guest->module->name();
+        module->name = name.c_str();
         module->version = version;
         module->attach = attach;
         module->step = step;
@@ -127,8 +127,10 @@ fettle_status open_guest(const fettle_host* host, fettle_module* module, const c
         return FETTLE_OK;
     } catch (const std::exception& error) {
         host->fail(host->self, error.what());
-        return FETTLE_ERR_FAILED;
+    } catch (...) {
+        host->fail(host->self, "an exception of no known type");
     }
+    return FETTLE_ERR_FAILED;
 }
 
 }  // namespace fettle::module

@@ -25,6 +25,7 @@ const fettle_host* program();
 struct GuestProperty {
     property::Tree::State* tree = nullptr;
     property::Binding binding;
+    std::string name;  // with its class
 };
 
 struct GuestMethod {
@@ -35,6 +36,7 @@ struct GuestMethod {
 struct GuestClass {
     property::Tree::State* tree = nullptr;
     property::Lifecycle lifecycle;
+    std::string name;
 };
 
 struct GuestEvent {
@@ -50,6 +52,7 @@ struct Tree::State {
     CountedTree counted;
     Tree* self = nullptr;
     const fettle_host* host = nullptr;
+    std::string module;  // its name, for messages
     ClassRegistry classes;
     SnapshotPart* part = nullptr;  // the module, if it saves its rows itself
     module::Outgoing outgoing;     // the last result of a callback, for the program
@@ -67,6 +70,10 @@ struct Tree::State {
     /// Runs a callback of the module and reports an exception to the program.
     template <class Body>
     fettle_status answer(Body&& body) noexcept;
+    /// The same for a callback that returns no status: prints the exception. `of`: what the
+    /// callback belongs to; "" for the module.
+    template <class Body>
+    void run(const char* callback, const std::string& of, Body&& body) noexcept;
     /// The class of that name; null if there is none. A class of the program is registered here
     /// first, with its bases.
     const Class* known(const char* name);
@@ -91,6 +98,21 @@ fettle_status Tree::State::answer(Body&& body) noexcept {
         host->fail(host->self, "an exception of no known type");
     }
     return FETTLE_ERR_FAILED;
+}
+
+template <class Body>
+void Tree::State::run(const char* callback, const std::string& of, Body&& body) noexcept {
+    const auto print = [&](const char* reason) {
+        const std::string where = of.empty() ? callback : callback + (" of " + of);
+        host->print(host->self, (module + ": " + where + ": " + reason).c_str());
+    };
+    try {
+        body();
+    } catch (const std::exception& error) {
+        print(error.what());
+    } catch (...) {
+        print("an exception of no known type");
+    }
 }
 
 }  // namespace fettle::property

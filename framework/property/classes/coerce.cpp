@@ -273,6 +273,7 @@ class Coercion {
 
     Value list(const Value& value) const {
         if (!value.is(Type::list)) wrong_type(value);
+        if (in_list()) return any(value);  // the type of its own elements is not declared
         List result;
         result.reserve(value.list().size());
         for (const Value& element : value.list()) {
@@ -317,6 +318,18 @@ Vec2 narrowed(const Vec2& v) {
 
 std::string expectation(const Property& property) {
     return expectation_in(property, property.type, property.range);
+}
+
+Property property_like(const Field& field) {
+    Property property;
+    property.name = field.name;
+    property.type = field.type;
+    property.any_type = field.type == Type::nil;
+    property.unit = field.unit;
+    property.reference_class = field.reference_class;
+    property.element = field.element;
+    property.range = field.range;
+    return property;
 }
 
 Value coerce_value(const Property& property, const Value& value, const CoerceContext& context) {

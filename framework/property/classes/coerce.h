@@ -15,6 +15,9 @@ struct CoerceContext {
     const void* what = nullptr;
 };
 
+/// The property that accepts what a parameter or an answer of this field accepts.
+Property property_like(const Field& field);
+
 /// Throws Error(wrong_type, out_of_range, not_finite).
 Value coerce_value(const Property& property, const Value& value, const CoerceContext& context);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fettle/property/error.h>
+#include <fettle/property/spelling.h>
 
 #include "coerce.h"
 
@@ -51,11 +52,26 @@ void UnfitValues::add(const Property& property, Value saved) {
     if (of.count++ == 0) of.first = std::move(saved);
 }
 
+void UnfitValues::add_removed(const Class& of, std::string_view property, Value saved) {
+    OfProperty& removed = all_[of.name() + "." + std::string(property)];
+    if (removed.count++ > 0) return;
+    removed.first = std::move(saved);
+    std::vector<std::string> names;
+    for (const Property* declared : of.properties()) names.push_back(declared->name);
+    removed.hint = suggestion(property, names);
+}
+
 std::vector<std::string> UnfitValues::lines() const {
     std::vector<std::string> lines;
     for (const auto& [name, of] : all_) {
         const std::string others =
             of.count == 1 ? "" : " and " + std::to_string(of.count - 1) + " more";
+        if (of.property == nullptr) {
+            lines.push_back(name + ": the class no longer has this property" + of.hint +
+                            "; the saved value " + value_text(of.first) + others +
+                            (of.count == 1 ? " is" : " are") + " not restored");
+            continue;
+        }
         lines.push_back(
             name + ": the saved value " + value_text(of.first) + others + " cannot be " +
             expectation(*of.property) +

@@ -1,25 +1,30 @@
 #pragma once
-// Saved values whose property now has another type: they are converted, or replaced by the default.
+// Saved values whose property now has another type, or is gone: they are converted, replaced by the
+// default, or reported.
 
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fettle/property/class.h>
 
 namespace fettle::property {
 
-/// The saved values that could not be converted, for a report.
+/// The saved values that could not be restored, for a report.
 class UnfitValues {
   public:
     void add(const Property& property, Value saved);
+    /// A value of a property that the class no longer has.
+    void add_removed(const Class& of, std::string_view property, Value saved);
     /// One line for each property, sorted by name.
     std::vector<std::string> lines() const;
 
   private:
     struct OfProperty {
-        const Property* property = nullptr;
+        const Property* property = nullptr;  // null: the class no longer has it
+        std::string hint{};                  // the name that is meant, if the property is gone
         Value first{};
         std::size_t count = 0;
     };

@@ -300,7 +300,13 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
         const auto kind = from.get<std::uint8_t>();
         ByteReader block = from.block();
         const Property* property = of.property(name);
-        if (property == nullptr || property->binding.kind != BindingKind::stored) continue;
+        if (property == nullptr) {
+            const std::vector<Value> saved = any_values(block, kind, read.rows_, {});
+            for (std::uint32_t row = 0; row < read.rows_; ++row)
+                if (!free[row] && !saved[row].is_nil()) unfit.add_removed(of, name, saved[row]);
+            continue;
+        }
+        if (property->binding.kind != BindingKind::stored) continue;
         found[property->stored_index] = true;
         read.load_column(block, kind, *property, free, unfit);
         block.finish();

@@ -69,12 +69,8 @@ void Question::answer(std::size_t field, const Value& value) {
         return at.event + ": " + at.field;
     };
     if (field < changeable_) throw Error(ErrorKind::read_only, name(&place) + " is read-only");
-    Property as;
-    as.name = of.name;
-    as.type = of.type;
-    as.unit = of.unit;
-    as.range = of.range;
-    values_[field] = coerce_value(as, value, {.tree = &tree_, .path = name, .what = &place});
+    values_[field] =
+        coerce_value(property_like(of), value, {.tree = &tree_, .path = name, .what = &place});
 }
 
 void call_handlers(Tree& tree, Handle instance, const Event& event, std::vector<Value>& values,

@@ -368,9 +368,13 @@ void TreeImage::read_values(ByteReader& from) {
         block.require(node != nullptr, "values of no instance");
         const Class& of = now_.classes[node->class_id];
         for (std::size_t n = block.count(9); n > 0; --n) {
-            const Property* property = of.property(block.text());
+            const std::string_view name = block.text();
+            const Property* property = of.property(name);
             Value value = block.value();
-            if (property != nullptr) each.values.emplace_back(property, std::move(value));
+            if (property == nullptr)
+                unfit_.add_removed(of, name, std::move(value));
+            else
+                each.values.emplace_back(property, std::move(value));
         }
         values_.push_back(std::move(each));
     }

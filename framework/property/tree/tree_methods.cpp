@@ -73,11 +73,7 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
     std::vector<Value> coerced(method.parameters.size());
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const Field& parameter = method.parameters[i];
-        Property as;
-        as.name = parameter.name;
-        as.type = parameter.type;
-        as.any_type = parameter.type == Type::nil;
-        as.unit = parameter.unit;
+        Property as = property_like(parameter);
         as.nullable = i >= method.required;
         struct Argument {
             std::string call, name;

@@ -83,7 +83,23 @@ class LayerMaker {
         }
     }
 
+    /// Cells that stay empty because no tileset has their tile.
+    void report_unknown_tiles(const maps::Layer& layer) {
+        std::size_t count = 0;
+        std::uint32_t first = 0;
+        for (const maps::Cells& cells : layer.cells)
+            for (const maps::Cell& cell : cells.cells) {
+                if (cell.empty() || file_.map().tileset_of(cell.gid) != nullptr) continue;
+                if (count++ == 0) first = cell.gid;
+            }
+        if (count == 0) return;
+        make_.report("no tileset has the tile " + std::to_string(first) + "; " +
+                     (count == 1 ? "one cell stays" : std::to_string(count) + " cells stay") +
+                     " empty");
+    }
+
     void tiles(Handle made, const maps::Layer& layer, const Outer& now) {
+        report_unknown_tiles(layer);
         make_.set(made, "layer", Value(layer.id));
         make_.set(made, "offset", Value(place_.length(now.offset)));
         make_.set(made, "tint", Value(now.tint));

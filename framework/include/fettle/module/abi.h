@@ -174,7 +174,8 @@ typedef struct fettle_field {
     const char* reference_class; /* since 1.1: for a reference, or references in a list */
     uint32_t element;            /* since 1.1: type of a list's elements; 0: any */
     uint32_t reserved;
-    double min, max; /* since 1.4: limits of a handler's answer; inclusive; both 0: none */
+    double min, max; /* since 1.4: limits of an argument or of a handler's answer; inclusive; both
+                        0: none */
 } fettle_field;
 
 enum { FETTLE_ONE_VALUE = 0, FETTLE_RECORD, FETTLE_RECORDS };

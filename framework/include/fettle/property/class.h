@@ -209,7 +209,7 @@ struct Field {
     std::string reference_class{};  // class of a reference, or of the references in a list
     Type element = Type::nil;       // type of a list's elements; nil: any
     bool nullable = false;          // in a result or event: may be nil
-    Range range{};                  // range of an answer, for each component
+    Range range{};                  // of an argument or an answer, for each component
 };
 
 /// Values by the names of their fields: the data of an event, the result of a query.

@@ -34,7 +34,8 @@ struct Lifecycle {
     /// moved, renamed or get children, and no snapshot can be restored: that throws
     /// Error(bad_structure). Within `Tree::restore`, no instance at all can be created, deleted,
     /// moved or renamed. `Tree::destroy` throws its exceptions after all instances are deleted; a
-    /// restore reports them in `restore_remarks`; at the end of the tree they are ignored.
+    /// restore reports them in `restore_remarks`; at the end of the tree they are ignored. In a
+    /// module that is plugged in, they are printed.
     void (*destroy)(void* context, Tree& tree, Handle self, Row row) = nullptr;
     /// Draws the instance. `alpha`: time between the last two steps, 0 to 1.
     void (*draw)(void* context, const Tree& tree, Handle self, Row row, Painter& painter,
