@@ -7,6 +7,7 @@
 #include <fettle/property/exception_text.h>
 
 #include <command_line/arguments.h>
+#include <command_line/exit_guard.h>
 #include <command_line/exit_status.h>
 #include <command_line/subcommand.h>
 #include <command_line/terminal.h>
@@ -62,6 +63,7 @@ int run_command(int argc, char** argv) {
         if (!command.app->parsed()) continue;
         if (const std::string wrong = left_over_problem(*command.app); !wrong.empty())
             return refuse(wrong, command.app);
+        const ExitGuard guard(command.app->get_name());
         const int status = with_file_errors(command.run);
         return all_printed() || status != success ? status : file_error;
     }

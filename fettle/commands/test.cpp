@@ -7,6 +7,7 @@
 #include <fettle/property/storage/scene.h>
 
 #include <command_line/end_request.h>
+#include <command_line/exit_guard.h>
 #include <command_line/exit_status.h>
 #include <command_line/subcommand.h>
 #include <command_line/terminal.h>
@@ -95,7 +96,9 @@ class Suite {
             if (EndRequest::signal() != 0) return;
             const bool wanted = file.find(options_.filter) != std::string::npos ||
                                 name.find(options_.filter) != std::string::npos;
-            if (wanted) add(run_test(options_, {.file = file, .name = name}));
+            if (!wanted) continue;
+            const ExitGuard guard(file + ": " + name);
+            add(run_test(options_, {.file = file, .name = name}));
         }
     }
     void add(TestOutcome outcome) {
@@ -133,7 +136,8 @@ Command add_test(CLI::App& app) {
     command.flag("--output", &TestOptions::output,
                  "Show what the game printed in each test, also in one that passes");
     command.number("--timeout", &TestOptions::timeout, 1, longest_test,
-                   "Stop a test that takes longer than this number of seconds of processor time; 60 by default");
+                   "Stop a test that takes longer than this number of seconds of processor time; "
+                   "60 by default");
     command.text("--module", &TestOptions::modules, "a file or a name",
                  "Plug in a module: a shared object, or the name of an installed one (repeatable)");
     return command.runs(test);

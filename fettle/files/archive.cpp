@@ -124,8 +124,12 @@ void add_file(void* archive, const fs::path& file, const std::string& name,
     zip_fileinfo info{};
     info.tmz_date.tm_year = 1980;  // the same in every archive
     info.tmz_date.tm_mday = 1;
-    const bool ok = zipOpenNewFileInZip64(archive, name.c_str(), &info, nullptr, 0, nullptr, 0,
-                                          nullptr, Z_DEFLATED, Z_BEST_COMPRESSION, 0) == ZIP_OK &&
+    constexpr uLong names_are_utf8 = 1 << 11;
+    constexpr uLong made_by_unix = 3 << 8;
+    const bool ok = zipOpenNewFileInZip4_64(archive, name.c_str(), &info, nullptr, 0, nullptr, 0,
+                                            nullptr, Z_DEFLATED, Z_BEST_COMPRESSION, 0, -MAX_WBITS,
+                                            DEF_MEM_LEVEL, Z_DEFAULT_STRATEGY, nullptr, 0,
+                                            made_by_unix, names_are_utf8, 0) == ZIP_OK &&
                     zipWriteInFileInZip(archive, content.data(),
                                         static_cast<unsigned>(content.size())) == ZIP_OK &&
                     zipCloseFileInZip(archive) == ZIP_OK;
@@ -138,6 +142,10 @@ void add_file(void* archive, const fs::path& file, const std::string& name,
 }  // namespace
 
 void write_archive(const fs::path& file, const ArchiveFiles& files) {
+    for (const auto& [name, content] : files)
+        if (!is_valid_name(name))
+            refuse(file, "cannot be made: no file of a game may be called " + shown(name) +
+                             "; rename it, or leave it out (package.exclude of game.json)");
     const Draft folder(file);
     const fs::path draft = folder.path / "archive";
     const auto refuse_now = [&] {

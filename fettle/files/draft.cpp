@@ -40,8 +40,7 @@ std::string reason_of_write(const fs::path& folder, const std::error_code& code)
     constexpr std::uintmax_t nearly_nothing = 64 << 10;
     std::error_code error;
     const fs::space_info space = fs::space(folder, error);
-    if (!error && space.available < nearly_nothing)
-        return "the disk is full";
+    if (!error && space.available < nearly_nothing) return "the disk is full";
     return code ? code.message() : "the system gives no reason";
 }
 

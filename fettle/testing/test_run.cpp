@@ -1,6 +1,7 @@
 #include <testing/test_run.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -48,12 +49,12 @@ std::string lines_of(const script::ScriptError& error) {
 }
 
 /// The name of a recording of a test: letters and digits of the names of the file and of the test,
-/// other characters as dashes.
+/// and what is not ASCII; other characters as dashes.
 std::string file_name_of(const TestChoice& choice) {
     std::string name;
     for (const char c : fs::path(choice.file).stem().string() + "-" + choice.name) {
-        const bool plain =
-            (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = std::isalnum(byte) != 0 || byte >= 0x80 || c == '_';
         if (plain || (!name.empty() && name.back() != '-')) name += plain ? c : '-';
     }
     constexpr std::size_t longest = 100;

@@ -214,6 +214,22 @@ TEST_CASE("a game that is one file is packed without what is beside it") {
                    "file only; a game with more files is a folder with main.lua"));
 }
 
+TEST_CASE("a package has names in UTF-8 and none that its reader refuses") {
+    const Folder folder;
+    write_game(folder);
+    folder.write("game/art/höhle.txt", "");
+    const std::string game = (folder / "game").string(), file = (folder / "a.fettle").string();
+    REQUIRE(fettle(folder, {"package", game, "--file", file}).status == 0);
+    const std::string zip = folder.text("a.fettle");
+    // Bit 11 of the flags in the header of a file: its name is in UTF-8.
+    CHECK((static_cast<unsigned char>(zip[7]) & 8) != 0);
+    folder.write("game/back\\slash.txt", "");
+    const Outcome made = fettle(folder, {"package", game, "--file", file});
+    CHECK(made.status == 3);
+    CHECK(contains(made.err, "no file of a game may be called \"back\\\\slash.txt\""));
+    CHECK(folder.text("a.fettle") == zip);
+}
+
 TEST_CASE("a damaged archive and one with strange names are refused") {
     const Folder folder;
     folder.write("no.fettle", "this is not an archive");

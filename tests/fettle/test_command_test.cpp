@@ -228,6 +228,23 @@ test("x", function(t) world.level = Tilemap { map = "none.tmj" } t:steps(2) end)
     CHECK(contains(run.out, "world.level.map: there is no file \"none.tmj\""));
 }
 
+TEST_CASE("a native module that ends the process within a test fails the tests") {
+    const Folder folder;
+    std::filesystem::copy_file(FETTLE_TEST_MODULES "/thrower.so", folder / "own.so");
+    folder.write("modules.json", R"({"modules": ["./own.so"]})");
+    const Outcome run = run_tests(folder, R"lua(
+test("ends", function(t)
+    game.one = Fragile { fails = "exit" }
+    t:steps(2)
+end)
+)lua");
+    INFO(run.out << run.err);
+    CHECK(run.status == 1);
+    CHECK(contains(run.err,
+                   "tests/ball.lua: ends: the game ended the process: a native module "
+                   "called exit()"));
+}
+
 TEST_CASE("a test that never ends is stopped") {
     const Folder folder;
     const Outcome run = run_tests(folder, R"lua(

@@ -1,5 +1,7 @@
-// A module in C++ whose callbacks throw: the one that the property `fails` names.
+// A module in C++ whose callbacks throw: the one that the property `fails` names. "exit": the
+// process is ended in the next step.
 
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -63,7 +65,10 @@ class Thrower : public module::Module {
         tree.define(std::move(fragile));
         tree.add_part(*this);
     }
-    void step(double) override { fail("step"); }
+    void step(double) override {
+        if (fails_ == "exit") std::exit(0);
+        fail("step");
+    }
     void report(Tree&) override { fail("report"); }
     std::uint64_t hash() const override {
         fail("hash");
