@@ -61,9 +61,7 @@ void Console::State::frame(double seconds) {
     if (screen.building || !(screen.width > 0) || !(screen.height > 0)) return;  // also NaN
     screen.building = true;
     input.fed_button = input.fed_key = input.fed_text = input.fed_move = false;
-    ui.begin_frame(screen.width, screen.height, seconds,
-                   std::clamp(std::round(settings.number("font_size") * settings.number("scale")),
-                              6.0f, 96.0f));
+    ui.begin_frame(screen.width, screen.height, seconds, text_size());
     float cell = ImGui::CalcTextSize("MMMMMMMM").x / 8;
     note_lost_undo();
     draw_part([&] { draw_in_game(); });
@@ -90,6 +88,16 @@ void Console::State::frame(double seconds) {
     ui.navigate_with_keys(screen.popup_open);
     status.drawn = true;
     screen.building = false;
+}
+
+/// In pixels. In a narrow window the factor grows the text only as far as there is room for the
+/// buttons and for a command.
+float Console::State::text_size() {
+    constexpr float readable = 13;
+    const float wanted = settings.number("font_size") * settings.number("scale");
+    const float most =
+        std::max({readable, settings.number("font_size"), screen.width / least_panel});
+    return std::clamp(std::round(std::min(wanted, most)), 6.0f, 96.0f);
 }
 
 /// The visible part of the world; empty without a view.

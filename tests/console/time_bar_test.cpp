@@ -4,6 +4,7 @@
 #include "rig.h"
 
 #include <look/imgui_compat.h>
+#include <look/theme.h>
 
 namespace time_bar_test {
 
@@ -175,6 +176,28 @@ TEST_CASE("edits and errors have marks at their steps") {
     bar.rig.click(track.middle().x + 3, track.middle().y);
     bar.rig.draw(2);
     CHECK(bar.rig.commands == std::vector<std::string>{"time:go_to(200)"});
+}
+
+TEST_CASE("the mark of a failed step stays in sight after going back") {
+    Bar bar(200, true);  // the newest kept step is 300
+    bar.rig.tree.set_step(301);
+    script::ScriptError error;
+    error.message = "main.lua:3: no ball";
+    bar.rig.console.report(error);
+    bar.rig.tree.set_step(200);
+    bar.rig.draw(2);
+    const console::Rect track = bar.bar().track();
+    const auto red = console::test::pixel_of(console::palette::error);
+    const auto& pixels = bar.rig.surface.pixels();
+    const auto wide = static_cast<std::size_t>(bar.rig.surface.width());
+    std::size_t drawn = 0;
+    for (auto y = static_cast<std::size_t>(track.low.y); y < track.middle().y; ++y)
+        for (auto x = static_cast<std::size_t>(track.high.x - 10); x < track.high.x; ++x)
+            drawn += pixels[y * wide + x] == red ? 1 : 0;
+    CHECK(drawn > 4);
+    bar.rig.click(track.high.x - 6, track.middle().y);
+    bar.rig.draw(2);
+    CHECK(bar.rig.commands == std::vector<std::string>{"time:go_to(300)"});
 }
 
 TEST_CASE(
