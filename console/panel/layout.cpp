@@ -423,13 +423,22 @@ void Console::State::draw_inspector(float left, float inspector_width) {
     draw_width_handle();
 }
 
+/// The lowest place for the inspector below the panel: it covers no error, which other layers show.
+float Console::State::free_for_inspector() const {
+    const float low = free_above() - legend_room();
+    if (options.game_covered && options.game_covered()) return 0;
+    if (!options.free_of_others) return low;
+    const app::ClipRectangle free = options.free_of_others({0, 0, screen.width, screen.height});
+    return std::min(low, free.top + free.height - margin);
+}
+
 /// Draws the inspector in the room between the panel and the views at the lower edge, if there is
 /// enough. If nothing is selected, the game is visible below the tree, so that it can be clicked.
 void Console::State::draw_inspector_below() {
     const float least = least_inspector * ImGui::GetFontSize();
     const Rect& runs = views.compare_view.rect();
     const float top = (runs.empty() ? screen.panel_rect : runs).high.y + margin;
-    const float room = free_above() - legend_room() - top;
+    const float room = free_for_inspector() - top;
     if (!settings.flag("inspector") || room < least) {
         screen.inspector_rect = {};
         return inspector.editor().end_drag();

@@ -217,6 +217,7 @@ struct Console::State {
     float inspector_width();
     float free_above() const;
     float legend_room() const;
+    float free_for_inspector() const;
     float least_plot_height() const;
     float comparison_height();
     app::ClipRectangle free_area(const app::ClipRectangle& whole) const;

@@ -197,4 +197,27 @@ TEST_CASE("the watch list needs no scroll bar as soon as there is room for its r
     CHECK(list.button(1).high.y <= list.rect().high.y);
 }
 
+TEST_CASE("the inspector below the panel covers no error") {
+    ObservingRig rig;
+    auto& state = rig.lua.state();
+    console::test::RasterSurface small(400, 500);
+    const auto draw = [&] {
+        for (int i = 0; i < 3; ++i) rig.lua.draw(small, 1.0 / 60);
+    };
+    draw();
+    const float low = state.screen.inspector_rect.high.y;
+    REQUIRE(low > 300);
+    // A strip that ends a little above the lower edge of the inspector.
+    state.options.free_of_others = [&](const app::ClipRectangle& whole) {
+        return app::ClipRectangle{whole.left, whole.top, whole.width, low - 20};
+    };
+    draw();
+    CHECK_FALSE(state.screen.inspector_rect.empty());
+    CHECK(state.screen.inspector_rect.high.y <= low - 20);
+    state.options.game_covered = [] { return true; };
+    draw();
+    CHECK(state.screen.inspector_rect.empty());
+    CHECK(state.screen.inspector_left_out);
+}
+
 }  // namespace observing_errors_test
