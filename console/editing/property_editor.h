@@ -138,6 +138,7 @@ class PropertyEditor {
     /// Runs an edit; the text of its exception is shown below the row.
     void attempt(const Target& target, const std::function<void()>& edit);
 
+    std::string name_of_edit(const Target& target) const;
     /// Runs an edit for the instance and for the others, as one step of undo.
     void edit_all(const Target& target, const std::string& name,
                   const std::function<void(property::Handle, const property::Property&)>& edit);

@@ -14,12 +14,19 @@ using property::Type;
 using property::Value;
 using property::Vec2;
 
+/// As the history and `undo` name it.
+std::string PropertyEditor::name_of_edit(const Target& target) const {
+    if (mixed_.others().empty()) return "edit " + tree_.path(target.instance, *target.property);
+    return "edit " + target.property->name + " of " + std::to_string(mixed_.others().size() + 1) +
+           " selected instances";
+}
+
 void PropertyEditor::attempt(const Target& target, const std::function<void()>& edit) {
     edited_ = true;
     // All edits between press and release of the mouse are one step of undo.
     if (!dragging_ && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         dragging_ = true;
-        tree_.begin_edit("edit " + tree_.path(target.instance, *target.property), false);
+        tree_.begin_edit(name_of_edit(target), false);
     }
     try {
         property::Tree::CauseScope cause(tree_, property::Writer::inspector);
@@ -119,10 +126,9 @@ Value PropertyEditor::edited(Handle instance, const Property& property, const Va
 void PropertyEditor::write(const Target& target, const Value& value) {
     attempt(target, [&] {
         const Value before = tree_.peek(target.instance, *target.property);
-        edit_all(target, "edit " + target.property->name + " of all selected",
-                 [&](Handle instance, const Property& property) {
-                     tree_.set(instance, property, edited(instance, property, before, value));
-                 });
+        edit_all(target, name_of_edit(target), [&](Handle instance, const Property& property) {
+            tree_.set(instance, property, edited(instance, property, before, value));
+        });
     });
 }
 

@@ -44,8 +44,8 @@ std::string Breaks::add(script::Observed condition) {
         if (!added.condition.unit.empty()) message += " " + added.condition.unit;
     } catch (const std::exception& error) {
         added.failed = true;  // it may have a value later
-        message +=
-            " becomes true or changes; it has no value yet: " + property::exception_text(error);
+        message += " becomes true or changes; it has no value yet: " +
+                   without_advice(property::exception_text(error));
     }
     all_.push_back(std::move(added));
     return message;
@@ -72,7 +72,7 @@ std::vector<std::string> Breaks::texts_to_keep() const {
 
 std::string Breaks::set_on(const std::string& path) const {
     const auto found = std::ranges::find(
-        all_, path, [](const Break& each) -> const std::string& { return each.condition.path; });
+        all_, path, [](const Break& each) -> const std::string& { return each.condition.text; });
     return path.empty() || found == all_.end() ? std::string() : found->condition.text;
 }
 
@@ -87,7 +87,7 @@ std::vector<std::string> Breaks::check() {
             if (!each.failed)
                 lines.push_back("break at step " + std::to_string(tree_.step()) + ": " +
                                 each.condition.text + " has no value any more, so the game is " +
-                                "paused: " + property::exception_text(error));
+                                "paused: " + without_advice(property::exception_text(error)));
             each.failed = true;
             continue;
         }

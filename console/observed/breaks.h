@@ -33,6 +33,9 @@ class Breaks {
     /// was left.
     void begin_again();
 
+    /// A value with as many digits as tell it from others.
+    std::string text_of(const property::Value& value) const;
+
   private:
     struct Break {
         script::Observed condition;
@@ -41,7 +44,6 @@ class Breaks {
 
         property::Value compute();  ///< the present value; throws what the condition throws
     };
-    std::string text_of(const property::Value& value) const;
     void describe(const Break& broken, const property::Value& before,
                   std::vector<std::string>& lines) const;
 

@@ -75,7 +75,7 @@ void Comparison::request_change(const std::string& path, const Value& value, dou
             property::ErrorKind::out_of_range,
             "ab: " + property::number_text(seconds) + " seconds: expected a time from 0.1 to 60");
     end();
-    change_request_ = {path, value, seconds};
+    change_request_ = {path, place.instance, value, seconds};
 }
 
 void Comparison::request_branch(const std::string& name) {
@@ -128,6 +128,19 @@ void Comparison::between_frames(const Review& review, const RepeatWith& repeat_w
     if (branch_request_) compare_branches(review, other);
 }
 
+/// Throws if the instance of the property that is meant now was made later than at this moment,
+/// which is the first one: another may have had its path.
+void Comparison::require_there(const ChangeRequest& request, std::int64_t first) const {
+    try {
+        if (property::resolve(tree_, request.path).instance == request.instance) return;
+    } catch (const property::Error&) {
+        // Nothing had this path.
+    }
+    throw property::Error(property::ErrorKind::unknown_name,
+                          request.path + " was not yet there at the beginning, step " +
+                              std::to_string(first) + ": ask for fewer seconds");
+}
+
 void Comparison::compare_change(const Review& review, const RepeatWith& repeat_with) {
     const ChangeRequest request = *std::exchange(change_request_, std::nullopt);
     const std::int64_t first = first_step(request);
@@ -135,6 +148,7 @@ void Comparison::compare_change(const Review& review, const RepeatWith& repeat_w
         return report_error("ab: there is no past to compare with");
     std::string written;
     const auto change = [&] {
+        require_there(request, first);
         const property::Tree::CauseScope cause(tree_, property::Writer::console);
         property::set(tree_, request.path, request.value);
         const property::Place place = property::resolve(tree_, request.path);

@@ -58,9 +58,9 @@ class Comparison {
     void between_frames(const Review& review, const RepeatWith& repeat_with,
                         const ReviewBranch& other);
 
-    /// Whether there is something to show.
     /// Whether a request waits for `between_frames`.
     bool waits() const { return change_request_.has_value() || branch_request_.has_value(); }
+    /// Whether there is something to show.
     bool shown() const { return !a_.empty() && !b_.empty(); }
     const std::vector<Moment>& a() const { return a_; }
     const std::vector<Moment>& b() const { return b_; }
@@ -77,6 +77,7 @@ class Comparison {
   private:
     struct ChangeRequest {
         std::string path;
+        property::Handle instance;  // with the property
         property::Value value;
         double seconds;
     };
@@ -84,6 +85,7 @@ class Comparison {
         std::string name;
         std::int64_t fork, newest;  // steps
     };
+    void require_there(const ChangeRequest& request, std::int64_t first) const;
     void compare_change(const Review& review, const RepeatWith& repeat_with);
     void compare_branches(const Review& review, const ReviewBranch& other);
     void cut_to_common_steps();

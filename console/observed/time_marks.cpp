@@ -94,6 +94,7 @@ void TimeMarks::leave_for(const std::string& branch,
         }
     }
     branch_ = branch;
+    frames_ = 0;  // the edits of this branch are read at once
 }
 
 void TimeMarks::update() {

@@ -229,30 +229,36 @@ void Console::State::pause_time(bool paused) {
     status.pausing = paused;
 }
 
-void Console::State::choose(Handle instance) {
-    if (!tree.alive(instance)) return;
+std::string Console::State::choose(Handle instance, bool logs) {
+    if (!tree.alive(instance)) return {};
     bool fresh = inspector.selected() != instance;
     inspector.select(instance);
     status.selected_path = tree.path(instance);
     if (interpreter.set_selected) interpreter.set_selected(instance);
     std::string line = "it = " + tree.path(instance);
-    if (fresh || log.lines().empty() || log.lines().back().text != line) log.note(line);
+    fresh = fresh || log.lines().empty() || log.lines().back().text != line;
+    if (fresh && logs) log.note(line);
+    return line;
 }
 
-void Console::State::choose_all(const std::vector<Handle>& instances) {
+std::string Console::State::choose_all(const std::vector<Handle>& instances, bool logs) {
+    std::string line = "nothing is selected";
     if (instances.empty()) {
         inspector.deselect();
         status.selected_path.clear();
         if (interpreter.set_selected) interpreter.set_selected({});
-        return log.note("nothing is selected");
+        if (logs) log.note(line);
+        return line;
     }
     inspector.select(instances);
     const std::vector<Handle> all = inspector.selection();
-    if (all.empty()) return;
-    if (all.size() == 1) return choose(all.front());
+    if (all.empty()) return {};
+    if (all.size() == 1) return choose(all.front(), logs);
     status.selected_path = tree.path(all.back());
     if (interpreter.set_selected) interpreter.set_selected(all.back());
-    log.note(std::to_string(all.size()) + " selected, it = " + status.selected_path);
+    line = std::to_string(all.size()) + " selected, it = " + status.selected_path;
+    if (logs) log.note(line);
+    return line;
 }
 
 void Console::State::find_selected_again() {

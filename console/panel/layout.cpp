@@ -61,9 +61,7 @@ void Console::State::frame(double seconds) {
     if (screen.building || !(screen.width > 0) || !(screen.height > 0)) return;  // also NaN
     screen.building = true;
     input.fed_button = input.fed_key = input.fed_text = input.fed_move = false;
-    ui.begin_frame(screen.width, screen.height, seconds,
-                   std::clamp(std::round(settings.number("font_size") * settings.number("scale")),
-                              6.0f, 96.0f));
+    ui.begin_frame(screen.width, screen.height, seconds, text_size());
     float cell = ImGui::CalcTextSize("MMMMMMMM").x / 8;
     note_lost_undo();
     draw_part([&] { draw_in_game(); });
@@ -90,6 +88,16 @@ void Console::State::frame(double seconds) {
     ui.navigate_with_keys(screen.popup_open);
     status.drawn = true;
     screen.building = false;
+}
+
+/// In pixels. In a narrow window the factor grows the text only as far as there is room for the
+/// buttons and for a command.
+float Console::State::text_size() {
+    constexpr float readable = 13;
+    const float wanted = settings.number("font_size") * settings.number("scale");
+    const float most =
+        std::max({readable, settings.number("font_size"), screen.width / least_panel});
+    return std::clamp(std::round(std::min(wanted, most)), 6.0f, 96.0f);
 }
 
 /// The visible part of the world; empty without a view.
@@ -415,13 +423,22 @@ void Console::State::draw_inspector(float left, float inspector_width) {
     draw_width_handle();
 }
 
+/// The lowest place for the inspector below the panel: it covers no error, which other layers show.
+float Console::State::free_for_inspector() const {
+    const float low = free_above() - legend_room();
+    if (options.game_covered && options.game_covered()) return 0;
+    if (!options.free_of_others) return low;
+    const app::ClipRectangle free = options.free_of_others({0, 0, screen.width, screen.height});
+    return std::min(low, free.top + free.height - margin);
+}
+
 /// Draws the inspector in the room between the panel and the views at the lower edge, if there is
 /// enough. If nothing is selected, the game is visible below the tree, so that it can be clicked.
 void Console::State::draw_inspector_below() {
     const float least = least_inspector * ImGui::GetFontSize();
     const Rect& runs = views.compare_view.rect();
     const float top = (runs.empty() ? screen.panel_rect : runs).high.y + margin;
-    const float room = free_above() - legend_room() - top;
+    const float room = free_for_inspector() - top;
     if (!settings.flag("inspector") || room < least) {
         screen.inspector_rect = {};
         return inspector.editor().end_drag();

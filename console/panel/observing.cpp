@@ -12,6 +12,8 @@
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
+#include <text/utf8.h>
+
 namespace fettle::console {
 
 using property::Handle;
@@ -38,13 +40,13 @@ script::ConsoleFunctions Observing::functions() {
     f.pins = [this] {
         std::vector<std::pair<std::string, Value>> all;
         for (Trace& pin : pins_) {
-            pin.sample();
-            all.emplace_back(pin.what().text, pin.problem().empty()
-                                                  ? pin.value()
-                                                  : Value("no value: " + pin.problem()));
+            pin.sample_at_once(tree_);
+            all.emplace_back(pin.what().text,
+                             pin.problem().empty() ? pin.value() : Value(pin.short_problem(tree_)));
         }
         return all;
     };
+    f.listed = [this](script::Listed what) { return listed(what); };
     f.plot = [this](std::vector<script::Observed> all) { return plot(std::move(all)); };
     f.break_when = [this](script::Observed condition) { return break_when(std::move(condition)); };
     f.unbreak = [this](const std::string& text) { return breaks_.remove(text); };
@@ -53,6 +55,8 @@ script::ConsoleFunctions Observing::functions() {
     f.bind = [this](const std::string& key, const std::string& command) {
         return bind(key, command);
     };
+    f.binds = [this] { return keys_; };
+    f.aliases = [this] { return prompt_.aliases(); };
     f.alias = [this](const std::string& word, const std::string& command) {
         return alias(word, command);
     };
@@ -72,6 +76,68 @@ script::ConsoleFunctions Observing::functions() {
     return f;
 }
 
+// --- Lists
+
+namespace {
+
+/// Lines with the second texts in a column.
+std::vector<std::string> in_columns(const std::vector<std::pair<std::string, std::string>>& rows) {
+    std::size_t widest = 0;
+    for (const auto& [first, second] : rows) widest = std::max(widest, code_point_count(first));
+    std::vector<std::string> lines;
+    for (const auto& [first, second] : rows)
+        lines.push_back(first + std::string(widest - code_point_count(first) + 2, ' ') + second);
+    return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> Observing::values_of(std::vector<Trace>& traces) {
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (Trace& trace : traces) {
+        trace.sample_at_once(tree_);
+        std::string text = trace.short_problem(tree_);
+        if (trace.problem().empty()) {
+            text = breaks_.text_of(trace.value());
+            if (!trace.what().unit.empty() && !trace.value().is_nil())
+                text += " " + trace.what().unit;
+        }
+        rows.emplace_back(trace.what().text, text);
+    }
+    return in_columns(rows);
+}
+
+std::vector<std::string> Observing::listed(script::Listed what) {
+    std::vector<std::string> lines;
+    const char* none = "";
+    switch (what) {
+        case script::Listed::pins:
+            lines = values_of(pins_);
+            none = "nothing is pinned";
+            break;
+        case script::Listed::plots:
+            lines = values_of(plots_);
+            none = "nothing is plotted";
+            break;
+        case script::Listed::breaks:
+            lines = breaks_.texts();
+            none = "no break is set";
+            break;
+        case script::Listed::binds:
+            lines = in_columns({keys_.begin(), keys_.end()});
+            none = "no key runs a command";
+            break;
+        case script::Listed::aliases:
+            lines = in_columns({prompt_.aliases().begin(), prompt_.aliases().end()});
+            none = "no word is an alias";
+            break;
+        case script::Listed::bookmarks:
+            return {};
+    }
+    if (lines.empty()) lines.emplace_back(none);
+    return lines;
+}
+
 // --- Requests
 
 std::string Observing::pin(script::Observed what) {
@@ -81,7 +147,7 @@ std::string Observing::pin(script::Observed what) {
             property::ErrorKind::rejected,
             "pin: there are " + std::to_string(max_pins) + " pinned values already; unpin one");
     pins_.emplace_back(std::move(what));
-    pins_.back().sample();
+    pins_.back().sample(tree_);
     note_problem("pin", pins_.back());
     return unseen(pins_.back().what().text + " is pinned; `pins` lists what is");
 }
@@ -104,7 +170,7 @@ std::string Observing::plot(std::vector<script::Observed> all) {
     plots_.clear();
     for (script::Observed& what : all) {
         plots_.emplace_back(std::move(what));
-        plots_.back().sample();
+        plots_.back().sample(tree_);
         const Trace& added = plots_.back();
         const bool drawn = added.value().is_numeric() || added.value().is(Type::vec2) ||
                            added.value().is(Type::boolean);
@@ -136,7 +202,8 @@ std::string Observing::break_when(script::Observed condition) {
 /// It may be a wrong name, or the name of something that the game has not made yet.
 void Observing::note_problem(const char* request, const Trace& trace) {
     if (trace.problem().empty() || !tells_problems) return;
-    report(std::string(request) + ": " + trace.problem() + "; it is shown when it has a value");
+    report(std::string(request) + ": " + without_advice(trace.problem()) +
+           "; it is shown when it has a value");
 }
 
 std::string Observing::bind(const std::string& key, const std::string& command) {
@@ -190,7 +257,7 @@ void Observing::after_step() {
     const auto step = static_cast<std::int64_t>(tree_.step());
     follow_branch(step);
     for (auto* all : {&pins_, &plots_})
-        for (Trace& trace : *all) trace.take(step);
+        for (Trace& trace : *all) trace.take(tree_, step);
     const std::vector<std::string> lines = breaks_.check();
     if (lines.empty()) return;
     for (const std::string& line : lines) report(line);
@@ -200,7 +267,7 @@ void Observing::after_step() {
 
 void Observing::update() {
     for (auto* all : {&pins_, &plots_})
-        for (Trace& trace : *all) trace.sample();
+        for (Trace& trace : *all) trace.sample(tree_);
 }
 
 void Observing::between_frames(const Review& review) {
@@ -272,7 +339,7 @@ void Observing::read_past(const Review& review) {
     try {
         review(first_to_read(plotted), static_cast<std::int64_t>(tree_.step()),
                [&](std::int64_t step) {
-                   for (Trace* trace : wanting) trace->take(step, true);
+                   for (Trace* trace : wanting) trace->take(tree_, step, true);
                });
     } catch (const std::exception& error) {
         report_error(property::exception_text(error));
@@ -307,7 +374,7 @@ void Observing::search_past(const Review& review) {
     if (first < 0) return report(what + "no step is kept");
     if (last_true < 0)
         return problem.empty() ? report(what + "never since step " + std::to_string(first))
-                               : report_error(what + problem);
+                               : report_error(what + without_advice(problem));
     if (now && became == first)
         return report(what + "true now, and ever since step " + std::to_string(first));
     const std::int64_t to = now ? became : last_true;

@@ -78,6 +78,8 @@ class Observing {
     const Breaks& breaks() const { return breaks_; }
 
   private:
+    std::vector<std::string> listed(script::Listed what);
+    std::vector<std::string> values_of(std::vector<Trace>& traces);
     std::string pin(script::Observed what);
     std::size_t unpin(const std::string& text);
     std::string plot(std::vector<script::Observed> all);

@@ -5,6 +5,7 @@
 
 #include <fettle/property/error.h>
 
+#include <observed/game_time.h>
 #include <panel/state.h>
 
 namespace fettle::console {
@@ -25,9 +26,21 @@ void Console::State::serve_scripts() {
     if (interpreter.serve_console) {
         script::ConsoleFunctions functions = observing.functions();
         functions.selection = [this] { return inspector.selection(); };
-        functions.select = [this](const std::vector<Handle>& all) { choose_all(all); };
+        functions.select = [this](const std::vector<Handle>& all) {
+            const bool terminal = observing.in_terminal;  // its answers are logged
+            return observing.unseen(choose_all(all, !terminal));
+        };
         functions.ab = [this](const std::string& path, const Value& value, double seconds) {
-            path.empty() ? comparison.end() : comparison.request_change(path, value, seconds);
+            if (!path.empty()) {
+                comparison.request_change(path, value, seconds);
+                return std::string();  // the result comes with the next frame
+            }
+            const bool shown = comparison.shown();
+            comparison.end();
+            return observing.unseen(shown ? "the comparison is ended" : "nothing is compared");
+        };
+        functions.listed = [this, others = functions.listed](script::Listed what) {
+            return what == script::Listed::bookmarks ? bookmark_lines() : others(what);
         };
         functions.compare_branch = [this](const std::string& name) {
             comparison.request_branch(name);
@@ -46,14 +59,34 @@ void Console::State::serve_scripts() {
         functions.bookmarks = [this] { return time_marks.bookmarks(); };
         functions.play_back = [this](double seconds) {
             // A recording contains the steps to which it goes.
-            if (!options.replay) views.time_bar.play_back(seconds);
+            if (options.replay) return std::string();
+            return observing.unseen(views.time_bar.play_back(seconds));
         };
+        functions.go_on = [this] { return observing.unseen(go_on()); };
         functions.share = options.share;
         functions.record = options.record;
         functions.restart = options.restart;
         if (options.replay) functions.exec = {};
         interpreter.serve_console(std::move(functions));
     }
+}
+
+/// Not an edit: undo does not take it back.
+std::string Console::State::go_on() {
+    const TimeBar::Times now = views.time_bar.times();
+    if (now.halted && options.resume) options.resume();
+    set_time_flag(tree, "paused", false);
+    if (!now.stands()) return "the game runs already";
+    return "the game goes on from step " + std::to_string(now.step) +
+           (now.in_past() ? "; what came later becomes another branch" : "");
+}
+
+std::vector<std::string> Console::State::bookmark_lines() const {
+    std::vector<std::string> lines;
+    for (const auto& [name, step] : time_marks.bookmarks())
+        lines.push_back("step " + std::to_string(step) + "  " + name);
+    if (lines.empty()) lines.emplace_back("there is no bookmark");
+    return lines;
 }
 
 script::Evaluation Console::State::answer_terminal(std::string_view command, std::string_view who) {

@@ -155,14 +155,17 @@ struct Console::State {
     void open(bool opened);
     void follow_settings();
     void pause_time(bool paused);
-    void choose(property::Handle instance);
-    void choose_all(const std::vector<property::Handle>& instances);
+    /// Select instances, and return a line about it, which the log gets, too, if `logs`.
+    std::string choose(property::Handle instance, bool logs = true);
+    std::string choose_all(const std::vector<property::Handle>& instances, bool logs = true);
     /// If the selected instance was deleted, and there is one at its path again (the game has made
     /// it anew), that is selected.
     void find_selected_again();
     void connect();
     // --- For scripts and terminals (serving.cpp)
     void serve_scripts();
+    std::string go_on();
+    std::vector<std::string> bookmark_lines() const;
     script::Evaluation answer_terminal(std::string_view command, std::string_view who);
     void connect_log();
     void connect_inspector();
@@ -202,6 +205,7 @@ struct Console::State {
 
     // --- Appearance (layout.cpp, title.cpp)
     void frame(double seconds);
+    float text_size();
     property::Seen seen() const;
     property::Handle pointed();
     void draw_outlines();
@@ -213,6 +217,7 @@ struct Console::State {
     float inspector_width();
     float free_above() const;
     float legend_room() const;
+    float free_for_inspector() const;
     float least_plot_height() const;
     float comparison_height();
     app::ClipRectangle free_area(const app::ClipRectangle& whole) const;

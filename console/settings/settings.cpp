@@ -82,9 +82,10 @@ property::ClassDescriptor console_class() {
     list.push_back(
         number_property("ghost_time", 2, {0.1, 10}, "s", "How far these ghosts look ahead."));
     list.push_back(number_property("font_size", 15, {8, 48}, "px", "Height of the text."));
-    list.push_back(
-        number_property("scale", 1, {0.5, 4}, "",
-                        "Factor of the size of the text, and of what is measured by it."));
+    list.push_back(number_property(
+        "scale", 1, {0.5, 4}, "",
+        "Factor of the size of the text, and of what is measured by it, as far as the "
+        "window is wide enough."));
     list.push_back(number_property("height", 0.45, {0.15, 1}, "",
                                    "Height of the console as a share of the window."));
     list.push_back(number_property("inspector_width", 420, {200, 2000}, "px",

@@ -202,7 +202,13 @@ std::vector<Span> highlight_output(std::string_view line) {
     return Lexer(line, true).run();
 }
 
-Span error_span(std::string_view line, std::string_view message) {
+Span error_span(std::string_view source, std::string_view message) {
+    // The texts in quotes have the same words as a message without being its place.
+    std::string line(source);
+    for (const Span& span : highlight_command(source))
+        if (span.token == Token::string)
+            std::fill(line.begin() + static_cast<std::ptrdiff_t>(span.begin),
+                      line.begin() + static_cast<std::ptrdiff_t>(span.end), ' ');
     for (const std::string& name : names_in_message(message)) {
         std::size_t at = find_word(line, name);
         if (at == std::string_view::npos) continue;

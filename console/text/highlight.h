@@ -35,6 +35,6 @@ std::vector<Span> highlight_output(std::string_view line);
 
 /// The probable position of an error in a source line: the name that the message quotes, the last
 /// name of a path in it, or a word of it; otherwise the beginning of the line.
-Span error_span(std::string_view source_line, std::string_view message);
+Span error_span(std::string_view source, std::string_view message);
 
 }  // namespace fettle::console

@@ -63,7 +63,13 @@ std::string aligned_number(double value, double largest, int digits) {
         beside += static_cast<std::size_t>(-std::floor(std::log10(largest))) - 1;
     const std::size_t width = std::max(shown + beside, short_number(-largest, digits).size());
     std::string text = short_number(value, digits);
-    for (; text.size() > width && digits > 0; --digits) text = narrow_number(value, digits);
+    // Two notations in one vector would be hard to compare: an exponent is the last resort.
+    const double size = std::abs(value);
+    const bool plain = size < 1 && size >= 1e-3;
+    for (int fewer = digits; text.size() > width && fewer > 0; --fewer)
+        text = plain ? short_number(value, fewer) : narrow_number(value, fewer);
+    for (int fewer = digits; text.size() > width && fewer > 0; --fewer)
+        text = narrow_number(value, fewer);
     return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include <look/fields.h>
 #include <look/theme.h>
@@ -65,6 +66,24 @@ double seconds_between_labels(double seconds) {
     return seconds < 2.2 * usual ? spacing_for(0.6 * seconds) : usual;
 }
 
+std::pair<double, double> shown_range(double low, double high) {
+    // Numbers below 1e-6 are shown as 0: lines of the grid that are closer would all be "0".
+    constexpr double least = 1e-5;
+    const double size = std::max(std::abs(low), std::abs(high));
+    if (size > 0 && size < least && high > low) {
+        low = std::min(low, 0.0);
+        high = std::max(low + least, high);
+    }
+    // Differences that come from rounding do not count.
+    if (high - low < 1e-6 * std::max(size, 1e-6)) {
+        const double room = size < 1e-6 ? 1 : 0.5 * size;
+        low -= room;
+        high += room;
+    }
+    const double edge = 0.04 * (high - low);  // the curve does not touch the frame
+    return {low - edge, high + edge};
+}
+
 PlotView::Scale PlotView::scale_of(const std::vector<Trace>& plots, const Times& times) const {
     Scale scale;
     scale.last = std::max(times.newest, times.step);
@@ -78,16 +97,7 @@ PlotView::Scale PlotView::scale_of(const std::vector<Trace>& plots, const Times&
             scale.high = any ? std::max({scale.high, s.x, other}) : std::max(s.x, other);
             any = true;
         }
-    // Differences that come from rounding do not count.
-    const double size = std::max(std::abs(scale.low), std::abs(scale.high));
-    if (scale.high - scale.low < 1e-6 * std::max(size, 1e-6)) {
-        const double room = size < 1e-6 ? 1 : 0.5 * size;
-        scale.low -= room;
-        scale.high += room;
-    }
-    const double edge = 0.04 * (scale.high - scale.low);  // the curve does not touch the frame
-    scale.low -= edge;
-    scale.high += edge;
+    std::tie(scale.low, scale.high) = shown_range(scale.low, scale.high);
     return scale;
 }
 
@@ -99,7 +109,7 @@ ImVec2 PlotView::point(const Scale& scale, std::int64_t step, double value) cons
                   area_.high.y - (area_.high.y - area_.low.y) * static_cast<float>(y));
 }
 
-void PlotView::draw_grid(const Scale& scale, const Times& times) const {
+void PlotView::draw_grid(const Scale& scale, const Times& times, bool labels) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight();
     const double apart =
@@ -122,7 +132,7 @@ void PlotView::draw_grid(const Scale& scale, const Times& times) const {
                      with_alpha(palette::line, 0.35f));
         const std::string text = "-" + short_number(back) + " s";
         const float half = text_width(text) / 2;
-        if (x + half + 6 > labeled) continue;
+        if (!labels || x + half + 6 > labeled) continue;
         draw_text(list, ImVec2(x - half, area_.high.y + 2), palette::faint, text);
         labeled = x - half;
     }
@@ -194,7 +204,7 @@ void PlotView::draw_legend(const property::Tree& tree, const std::vector<Trace>&
                     : shown.is(property::Type::boolean) ? property::Value(s->x != 0)
                                                         : property::Value(s->x);
         const bool fails = !trace.problem().empty();
-        const std::string problem = short_problem(tree, trace);
+        const std::string problem = trace.short_problem(tree);
         const float y = at.y + static_cast<float>(i) * legend_line();
         float x = at.x;
         list.AddRectFilled(ImVec2(x, y + em * 0.5f), ImVec2(x + em * 0.8f, y + em * 0.7f),
@@ -250,6 +260,9 @@ void PlotView::draw(ImVec2 corner, ImVec2 size, float room, const property::Tree
     const float em = ImGui::GetFontSize(), padding = ImGui::GetStyle().WindowPadding.y;
     area_ = {ImVec2(rect_.low.x + 5.5f * em, rect_.low.y + padding + legend + 0.4f * em),
              ImVec2(rect_.high.x - em, rect_.high.y - padding - 1.2f * em)};
+    // A low plot has curves and no times below them.
+    const bool times_fit = area_.high.y - area_.low.y >= 2 * em;
+    if (!times_fit) area_.high.y = rect_.high.y - padding;
     if (area_.high.x < area_.low.x + em || area_.high.y < area_.low.y + em) {
         area_ = {};  // no room for curves
         draw_legend(tree, plots, -1);
@@ -274,7 +287,7 @@ void PlotView::draw(ImVec2 corner, ImVec2 size, float room, const property::Tree
     if (!ImGui::IsItemActive()) requested_ = -1;
     ImGui::SetCursorScreenPos(before);
     ImGui::GetWindowDrawList()->AddRectFilled(area_.low, area_.high, palette::well);
-    draw_grid(scale, times);
+    draw_grid(scale, times, times_fit);
     ImGui::GetWindowDrawList()->PushClipRect(area_.low, area_.high, true);
     draw_curves(scale, plots);
     draw_cursor(scale, times, under);

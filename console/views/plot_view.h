@@ -24,6 +24,9 @@ double seconds_between_labels(double seconds);
 /// touch: a label is `line` high.
 double value_between_labels(double span, float tall, float line);
 
+/// The range of values that a plot shows, when those of its curves are from `low` to `high`.
+std::pair<double, double> shown_range(double low, double high);
+
 class PlotView {
   public:
     /// Runs a command as if it were typed.
@@ -65,7 +68,7 @@ class PlotView {
     };
     Scale scale_of(const std::vector<Trace>& plots, const Times& times) const;
     ImVec2 point(const Scale& scale, std::int64_t step, double value) const;
-    void draw_grid(const Scale& scale, const Times& times) const;
+    void draw_grid(const Scale& scale, const Times& times, bool labels) const;
     void draw_curves(const Scale& scale, const std::vector<Trace>& plots) const;
     void draw_legend(const property::Tree& tree, const std::vector<Trace>& plots,
                      std::int64_t step);

@@ -60,18 +60,25 @@ TimeBar::Times TimeBar::times() const {
     return now;
 }
 
-void TimeBar::play_back(double seconds) {
+std::string TimeBar::play_back(double seconds) {
     const Times now = times();
-    if (now.newest > now.oldest) to_play_ = seconds;
+    if (now.newest <= now.oldest) return "there is no past to play";
+    to_play_ = seconds;
+    const std::int64_t from = first_to_play(now, seconds);
+    return "the window plays steps " + std::to_string(from) + " to " + std::to_string(now.newest) +
+           (now.paused ? "; then the game is paused, as it was" : "; then the game goes on") +
+           ". An edit meanwhile ends it";
+}
+
+std::int64_t TimeBar::first_to_play(const Times& now, double seconds) {
+    if (now.in_past()) return now.step;
+    const double steps = std::min(seconds / now.dt, static_cast<double>(now.newest));
+    return std::max(now.oldest, now.newest - static_cast<std::int64_t>(std::llround(steps)));
 }
 
 void TimeBar::begin_playing(const Times& now) {
     const double seconds = *std::exchange(to_play_, std::nullopt);
-    std::int64_t from = now.step;
-    if (!now.in_past()) {
-        const double steps = std::min(seconds / now.dt, static_cast<double>(now.newest));
-        from = std::max(now.oldest, now.newest - static_cast<std::int64_t>(std::llround(steps)));
-    }
+    const std::int64_t from = first_to_play(now, seconds);
     playing_ = true;
     goes_on_ = !now.paused;
     played_to_ = static_cast<double>(from);
@@ -311,7 +318,7 @@ void TimeBar::draw_track(const Times& now, float width) {
     const bool right_click = ImGui::IsItemClicked(ImGuiMouseButton_Right);
     const float mouse = ImGui::GetIO().MousePos.x;
     const TimeMark* const mark = hovered || held ? mark_at(now, mouse) : nullptr;
-    const std::int64_t under = mark != nullptr ? mark->step : step_at(now, mouse);
+    const std::int64_t under = mark != nullptr ? step_of(now, *mark) : step_at(now, mouse);
     if (held) {
         stop_playing();
         go_to(under);
@@ -364,14 +371,21 @@ std::int64_t TimeBar::step_at(const Times& now, float x) const {
     return std::min(step, now.newest);
 }
 
+/// The step at which a mark is drawn, and to which a click on it goes. A step that failed is not
+/// kept: after going back, the mark of its error is at the last step before it.
+std::int64_t TimeBar::step_of(const Times& now, const TimeMark& mark) {
+    const bool failed = mark.kind == TimeMark::Kind::error && mark.step == now.newest + 1;
+    return failed ? now.newest : mark.step;
+}
+
 /// The mark that is drawn there, the uppermost if there are several; null if there is none.
 const TimeMark* TimeBar::mark_at(const Times& now, float x) const {
     constexpr float reach = 4;  // pixels
     const TimeMark* found = nullptr;
     for (const auto* marks : {&marks_.edits(), &marks_.others()})
         for (const TimeMark& mark : *marks)
-            if (mark.step >= now.oldest && mark.step <= now.newest &&
-                std::fabs(x_of(now, mark.step) - x) <= reach)
+            if (const std::int64_t step = step_of(now, mark);
+                step >= now.oldest && step <= now.newest && std::fabs(x_of(now, step) - x) <= reach)
                 found = &mark;
     return found;
 }
@@ -389,8 +403,9 @@ void TimeBar::draw_marks(const Times& now) const {
     };
     for (const auto* marks : {&marks_.edits(), &marks_.others()})
         for (const TimeMark& mark : *marks) {
-            if (mark.step < now.oldest || mark.step > now.newest) continue;
-            const float x = std::floor(x_of(now, mark.step));
+            const std::int64_t step = step_of(now, mark);
+            if (step < now.oldest || step > now.newest) continue;
+            const float x = std::floor(x_of(now, step));
             const ImU32 color = mark.kind == TimeMark::Kind::error  ? palette::error
                                 : mark.kind == TimeMark::Kind::stop ? palette::number
                                 : mark.kind == TimeMark::Kind::edit ? palette::path

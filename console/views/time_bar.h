@@ -64,7 +64,8 @@ class TimeBar {
     /// Plays the last seconds up to the newest step; in the past, the steps after the present one.
     /// At the newest step the game goes on, unless it was paused before. Begins with the next
     /// `play_on`, so that a command that calls this function changes nothing itself.
-    void play_back(double seconds);
+    /// Returns what is played, for a person who does not see it.
+    std::string play_back(double seconds);
     /// Call before each frame: goes on with playing back. An edit by a person ends it, because
     /// going to the next step would take the edit back. `drags`: such an edit is under way.
     void play_on(bool drags);
@@ -102,6 +103,7 @@ class TimeBar {
     void draw_marks(const Times& now) const;
     float x_of(const Times& now, std::int64_t step) const;
     std::int64_t step_at(const Times& now, float x) const;
+    static std::int64_t step_of(const Times& now, const TimeMark& mark);
     const TimeMark* mark_at(const Times& now, float x) const;
     void draw_text(const Times& now, ImFont* bold, bool narrow);
 
@@ -115,6 +117,7 @@ class TimeBar {
     std::string menu_of_;  // the branch whose menu is open
     bool opens_menu_ = false;
     std::vector<std::pair<std::string, Rect>> entries_;  // of the menu, as it was drawn last
+    static std::int64_t first_to_play(const Times& now, double seconds);
     void begin_playing(const Times& now);
     void stop_playing();
     void end_at_edit(const Times& now);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <ctime>
+#include <iterator>
+#include <utility>
 
 #include <look/theme.h>
 #include <text/short_numbers.h>
@@ -52,14 +54,42 @@ void TweakList::refresh(bool now) {
     const double time = ImGui::GetTime();
     if (!now && refreshed_ >= 0 && time - refreshed_ < patience && time >= refreshed_) return;
     refreshed_ = time;
-    rows_ = tweaks_->list();
+    std::vector<Tweak> all = tweaks_->list();
+    if (!hovered_) {
+        gone_.clear();
+        rows_ = std::move(all);
+        return;
+    }
+    // The rows stay in their places, so that a second click does not hit what has moved there.
+    gone_.resize(rows_.size());
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
+        Tweak& shown = rows_[row];
+        const auto same = [&](const Tweak& each) {
+            return each.path == shown.path && each.value == shown.value;
+        };
+        auto found = std::ranges::find_if(
+            all, [&](const Tweak& each) { return same(each) && each.earlier == shown.earlier; });
+        if (found == all.end()) found = std::ranges::find_if(all, same);
+        gone_[row] = found == all.end();
+        if (gone_[row]) continue;
+        shown = std::move(*found);
+        all.erase(found);
+    }
+    std::ranges::move(all, std::back_inserter(rows_));
+    gone_.resize(rows_.size());
+}
+
+bool TweakList::is_gone(std::size_t row) const {
+    return row < gone_.size() && gone_[row];
 }
 
 std::size_t TweakList::open_count() {
     if (tweaks_ == nullptr) return 0;
     refresh(false);
-    return static_cast<std::size_t>(
-        std::count_if(rows_.begin(), rows_.end(), [](const Tweak& tweak) { return !tweak.kept; }));
+    std::size_t count = 0;
+    for (std::size_t row = 0; row < rows_.size(); ++row)
+        count += rows_[row].kept || is_gone(row) ? 0 : 1;
+    return count;
 }
 
 // Runs a command, so that a recording of the run contains it.
@@ -111,13 +141,23 @@ void TweakList::draw_header() {
         act("drop_tweaks", "**");
 }
 
+namespace {
+
+constexpr const char* arrow = " → ";
+
+/// The texts that are shown: with short numbers, unless these are equal.
+std::pair<std::string, std::string> shown_change(const property::Tweak& tweak) {
+    std::pair<std::string, std::string> texts{with_short_numbers(tweak.was).text,
+                                              with_short_numbers(tweak.now).text};
+    return texts.first == texts.second ? std::pair{tweak.was, tweak.now} : texts;
+}
+
+}  // namespace
+
 void TweakList::draw_change(const Tweak& tweak) {
     float room = ImGui::GetContentRegionAvail().x;
-    std::string old = with_short_numbers(tweak.was).text;
-    std::string now = with_short_numbers(tweak.now).text;
-    if (old == now) old = tweak.was, now = tweak.now;
+    const auto [old, now] = shown_change(tweak);
     if (tweak.value) {
-        const std::string arrow = " → ";
         const float both = room - text_width(arrow);
         // The new value gets the room that the old one does not need, and at least half of it.
         const float was = std::min(text_width(old), std::max(both / 2, both - text_width(now)));
@@ -149,6 +189,7 @@ void TweakList::draw_row(int row) {
         colored(tweak.earlier ? palette::accent : palette::faint, when(tweak));
     }
     ImGui::TableNextColumn();
+    if (is_gone(static_cast<std::size_t>(row))) return;
     if (tweak.kept) {
         const float room = ImGui::GetContentRegionAvail().x;
         drawn_.push_back({row, "kept", {ImGui::GetCursorScreenPos(), ImGui::GetCursorScreenPos()}});
@@ -166,7 +207,11 @@ void TweakList::draw_row(int row) {
 }
 
 void TweakList::draw(float height) {
-    refresh(false);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const bool hovered = ImGui::IsMouseHoveringRect(
+        corner, ImVec2(corner.x + ImGui::GetContentRegionAvail().x, corner.y + height));
+    const bool left_it = std::exchange(hovered_, hovered) && !hovered;
+    refresh(left_it);
     drawn_.clear();
     const float top = ImGui::GetCursorPosY();
     draw_header();
@@ -180,7 +225,8 @@ void TweakList::draw(float height) {
     for (const Tweak& tweak : rows_) {
         times = std::max(times, text_width(when(tweak)));
         paths = std::max(paths, text_width(tweak.path));
-        changes = std::max(changes, text_width(tweak.was) + text_width(tweak.now));
+        const auto [old, now] = shown_change(tweak);
+        changes = std::max(changes, (tweak.value ? text_width(old + arrow) : 0) + text_width(now));
         earlier = earlier || tweak.earlier;
         if (tweak.kept) files = std::max(files, text_width(kept_text(tweak)));
     }

@@ -42,6 +42,8 @@ class TweakList {
   private:
     using Tweak = property::Tweak;
     void refresh(bool now);
+    /// Whether the tweak of the row does not exist any more: the row keeps its place.
+    bool is_gone(std::size_t row) const;
     void draw_header();
     void draw_row(int row);
     void draw_change(const Tweak& tweak);
@@ -50,6 +52,8 @@ class TweakList {
 
     property::Tweaks* tweaks_;
     std::vector<Tweak> rows_;
+    std::vector<bool> gone_{};  // by row; while the mouse is over the list
+    bool hovered_ = false;
     double refreshed_ = -1;
     bool times_ = true;
     struct Drawn {

@@ -142,7 +142,7 @@ WatchList::Row WatchList::row_of(const property::Tree& tree, const Trace& pin, f
     const auto value_in = [&](float room, float most) {
         return pin.problem().empty()
                    ? observed_text_in(tree, pin.value(), pin.what().unit, largest, room, most)
-                   : ObservedText{short_problem(tree, pin)};
+                   : ObservedText{pin.short_problem(tree)};
     };
     row.value = value_in(row.room - em - name_width, widest);
     row.value_width = std::min(row.value.place(), widest);
@@ -211,19 +211,27 @@ void WatchList::draw(ImVec2 corner, float width, float room, const property::Tre
         for (const Trace& pin : pins) rows.push_back(row_of(tree, pin, inside));
         return rows;
     };
+    const auto height_of = [&](const std::vector<Row>& rows) {
+        float whole = 2 * style.WindowPadding.y - style.ItemSpacing.y;
+        for (const Row& row : rows) whole += row.height + style.ItemSpacing.y;
+        return whole;
+    };
     float inside = width - 2 * style.WindowPadding.x;
     std::vector<Row> rows = rows_in(inside);
-    float whole = 2 * style.WindowPadding.y - style.ItemSpacing.y;
-    for (const Row& row : rows) whole += row.height + style.ItemSpacing.y;
+    const float whole = height_of(rows);
     const float height = std::max(1.0f, std::min(whole, room));
+    // Dear ImGui decides by the last picture: a bar that was needed there would make the rows
+    // narrower and higher, so that it stays.
+    const bool scrolls = whole > room;
+    if (scrolls) rows = rows_in(inside -= style.ScrollbarSize);
     ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - height));
     ImGui::SetNextWindowSize(ImVec2(width, height));
     ImGui::SetNextWindowBgAlpha(opacity);
-    ImGui::Begin("##watch", nullptr, watch_flags & ~ImGuiWindowFlags_NoScrollbar);
+    const int bar = scrolls ? ImGuiWindowFlags_AlwaysVerticalScrollbar : 0;
+    ImGui::Begin("##watch", nullptr,
+                 scrolls ? (watch_flags & ~ImGuiWindowFlags_NoScrollbar) | bar : watch_flags);
     rect_ = window_rect();
-    // A scroll bar takes a part of the width.
-    if (const float left = ImGui::GetContentRegionAvail().x; left != inside)
-        rows = rows_in(inside = left);
+    if (!scrolls) ImGui::SetScrollY(0);
     for (std::size_t i = 0; i < pins.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         draw_row(tree, pins[i], rows[i], inside);

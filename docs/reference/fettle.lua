@@ -3011,7 +3011,7 @@ Transition = {}
 ---@field pauses boolean Whether time stands still while the console is open. · true or false · default false · not saved
 ---@field picks boolean Whether a click on a body, a picture or a widget selects it while the console is open. · true or false · default true · not saved
 ---@field plot_height number Height of the curves of a plot at a scale of 1, as far as the window has room; 0: a height that fits the window. · px · 0 to 4000 · default 0 · not saved
----@field scale number Factor of the size of the text, and of what is measured by it. · 0.5 to 4 · default 1 · not saved
+---@field scale number Factor of the size of the text, and of what is measured by it, as far as the window is wide enough. · 0.5 to 4 · default 1 · not saved
 ---@field time_bar boolean Whether the time bar is shown with it: pause, step, back. · true or false · default true · not saved
 ---@field tweaks boolean Whether tweaks are listed in place of the log. · true or false · default false · not saved
 local fettle_Console = {}
@@ -3103,17 +3103,25 @@ function ab(path, value, seconds) end
 ---@return Connection
 function after(seconds, action, options) end
 
----In the console the word stands for the command; what is typed after it is put after the command. Without a command the alias is removed.
+---In the console the word stands for the command; what is typed after it is put after the command. Without a command the alias is removed. `alias` alone lists them.
 ---@param word string
 ---@param command? string
 function alias(word, command) end
 
----Runs the command whenever the key goes down, also while the console is closed: bind("f5", "rewind(5)"). Keys have the names of the class Keys. The game does not get the key. Without a command the game gets the key again.
+---The words that stand for commands, with the commands. In the console the parentheses may be left out.
+---@return table<string, string>
+function aliases() end
+
+---Runs the command whenever the key goes down, also while the console is closed: bind("f5", "rewind(5)"). Keys have the names of the class Keys. The game does not get the key. Without a command the game gets the key again. `bind` alone lists them.
 ---@param key string
 ---@param command? string
 function bind(key, command) end
 
----Sets a bookmark on the time bar of the console: at the present step if step is left out. The same name again moves it. Bookmarks end with the run, because another run has other steps.
+---The keys that run commands, with the commands. In the console the parentheses may be left out.
+---@return table<string, string>
+function binds() end
+
+---Sets a bookmark on the time bar of the console: at the present step if step is left out. The same name again moves it. Bookmarks end with the run, because another run has other steps. `bookmark` alone, without parentheses, lists them.
 ---@param name? string
 ---@param step? integer
 function bookmark(name, step) end
@@ -3122,7 +3130,7 @@ function bookmark(name, step) end
 ---@return table
 function bookmarks() end
 
----Pauses the game after the step in which the condition becomes true, and prints its old and new value and what wrote it. If the value is not a boolean, the game pauses when it changes. `breaks` lists the conditions, `unbreak` ends one; without a condition all end.
+---Pauses the game after the step in which the condition becomes true, and prints its old and new value and what wrote it. If the value is not a boolean, the game pauses when it changes. `break_when` alone, without parentheses, lists the conditions; `unbreak` ends one, and break_when() all.
 ---@param condition? string|fun(): any
 function break_when(condition) end
 
@@ -3196,6 +3204,9 @@ function formula(value) end
 ---@param options? table
 function go_to_scene(name, options) end
 
+---A command of the console: lets the game go on after an error at which it stopped, and after a pause. After going back, it goes on from there, as another branch.
+function go_on() end
+
 ---Explains a class, an instance, a method or a path.
 ---@param anything? any
 function help(anything) end
@@ -3215,7 +3226,7 @@ function last_time(condition) end
 ---@param slot string
 function load_game(slot) end
 
----Adds a path or an expression to the watch list of the console: pin("world.ball.mass"). `pin` alone is `pins()`.
+---Adds a path or an expression to the watch list of the console: pin("world.ball.mass"). `pin` alone lists what is pinned.
 ---@param what string|fun(): any
 ---@param ... string|fun(): any
 function pin(what, ...) end
@@ -3228,7 +3239,7 @@ function pins() end
 ---@param seconds? number
 function play_back(seconds) end
 
----Shows values over time, of numbers, vectors and booleans, with the past as far as it is kept: plot("world.ball.velocity"). Without an argument the plot ends.
+---Shows values over time, of numbers, vectors and booleans, with the past as far as it is kept: plot("world.ball.velocity"). plot() ends the plot; `plot` alone, without parentheses, lists what is plotted.
 ---@param ... string|fun(): any
 function plot(...) end
 
@@ -3342,15 +3353,15 @@ function tween.sequence(tweens) end
 ---@param count? integer
 function undo(count) end
 
----Removes a bookmark; all of them without a name.
+---Removes a bookmark; unbookmark() removes all.
 ---@param name? string
 function unbookmark(name) end
 
----Ends one condition of `break_when`, which is named by its text; all if it is left out.
+---Ends one condition of `break_when`, which is named by its text; unbreak() ends all.
 ---@param condition? string
 function unbreak(condition) end
 
----Removes an entry from the watch list; without an argument, all.
+---Removes an entry from the watch list; unpin() removes all.
 ---@param what? string
 function unpin(what) end
 

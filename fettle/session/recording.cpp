@@ -117,7 +117,10 @@ std::string Session::recording_problem() const {
 }
 
 bool Session::viewing_past() const {
-    return services_->clock.step < services_->clock.newest;
+    const app::Clock& clock = services_->clock;
+    // The error belongs to the branch in which it happened, which is another one now.
+    const bool elsewhere = loop_->halted() && loop_->timeline().has_branch(run_.failed_branch);
+    return elsewhere || clock.step < clock.newest;
 }
 
 }  // namespace fettle::program

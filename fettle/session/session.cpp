@@ -469,6 +469,12 @@ void Session::fail(const script::ScriptError& error) {
     }
     run_.failed = true;
     report_error(error);
+    if (!loop_->halted()) {
+        run_.failed_branch = services_->clock.branch;
+        if (listener_)
+            listener_->print("the game stands at step " + std::to_string(services_->clock.step) +
+                             ": go_on() lets it go on, also after rewind(2)");
+    }
     loop_->halt();
     if (receivers_.errors && !receivers_.output) receivers_.errors(error);
 }

@@ -93,7 +93,8 @@ class Session {
     app::ClipRectangle free_area(const app::ClipRectangle& whole) const;
     /// Whether a restart of the game was requested since the last call.
     bool restart_requested() { return std::exchange(run_.restart, false); }
-    /// Whether the game is at an earlier step than the newest.
+    /// Whether the game is at an earlier step than the newest, or, while it stands after an error,
+    /// in another branch than that of the error.
     bool viewing_past() const;
     /// Goes forward by `steps` in the kept past (below 0: back), at the next barrier.
     void travel(int steps);
@@ -187,8 +188,9 @@ class Session {
         bool stepped = false;  // the modules have made a step, which is not delivered yet
         bool failed = false;
         bool ending = false;
-        std::string renewed;       // the changed file that is being read
-        std::string interruption;  // the last message about stopped scripts
+        std::string renewed;          // the changed file that is being read
+        std::string interruption;     // the last message about stopped scripts
+        std::string failed_branch{};  // the branch of the past in which the game has halted
     };
 
     const RunOptions& options_;

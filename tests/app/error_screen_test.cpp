@@ -88,6 +88,49 @@ TEST_CASE("the game is visible above a strip while the past before an error is s
     CHECK(strip.line_with("in update") == -1);
 }
 
+TEST_CASE("the strip of an error shows the whole message or says that it goes on") {
+    app::ErrorScreen screen({.reload = {}, .go_on = {}, .viewing_past = [] { return true; }});
+    script::ScriptError error;
+    error.message = "main.lua:3:";
+    for (int i = 0; i < 30; ++i) error.message += " word" + std::to_string(i);
+    screen.show(error);
+    NotingSurface strip;
+    screen.draw(strip, 0);
+    CHECK(strip.line_with("word29") > strip.line_with("main.lua:3"));
+    CHECK(strip.line_with("…") == -1);
+    CHECK(strip.line_with("main.lua:3") > strip.top);
+    CHECK(strip.line_with("R  reload") > strip.line_with("word29") + 16);
+    NotingSurface narrow;
+    narrow.wide = 400;
+    screen.draw(narrow, 0);
+    CHECK(narrow.line_with("word29") == -1);
+    CHECK(narrow.line_with("…") > narrow.line_with("main.lua:3"));
+    CHECK(narrow.text_right <= 400);
+}
+
+TEST_CASE("an error that has too little room beside other layers says that it goes on") {
+    app::ClipRectangle free{0, 0, 500, 120};
+    app::ErrorScreen screen(
+        {.reload = {}, .go_on = {}, .free_area = [&](const app::ClipRectangle&) { return free; }});
+    script::ScriptError error = an_error();
+    for (int i = 0; i < 30; ++i) error.message += " word" + std::to_string(i);
+    screen.show(error);
+    NotingSurface low;
+    screen.draw(low, 0);
+    CHECK(low.line_with("…") > 0);
+    CHECK(low.line_with("word29") == -1);
+    // A heading is left out with the rows below it.
+    for (float height = 40; height < 400; height += 4) {
+        free = {0, 0, 900, height};
+        screen.hide();
+        screen.show(an_error());
+        NotingSurface surface;
+        screen.draw(surface, 0);
+        INFO(height);
+        CHECK((surface.line_with("Called from") > 0) == (surface.line_with("in update") > 0));
+    }
+}
+
 TEST_CASE("a long error of changed files takes several lines of its strip") {
     app::ErrorScreen screen({.reload = {}, .go_on = {}, .covered_below = [] { return 0.0f; }});
     script::ScriptError error;

@@ -224,7 +224,7 @@ TEST_CASE_METHOD(AheadRig, "overlays are icons where words need more than two ro
         return bar.button(name).high.x - bar.button(name).low.x;
     };
     CHECK(wide("onion_skins") > wide("timings") + 10);
-    edit("console.scale", 4.0, property::Writer::console);
+    edit("console.font_size", 40.0, property::Writer::console);
     console::test::RasterSurface small(400, 700);
     for (int i = 0; i < 3; ++i) console.draw(small, 1.0 / 60);
     CHECK(wide("onion_skins") == Approx(wide("timings")));

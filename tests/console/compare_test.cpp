@@ -408,4 +408,38 @@ TEST_CASE("a picture of the game is drawn as its box where the console draws the
     ImGui::EndFrame();
 }
 
+TEST_CASE_METHOD(CompareRig, "a comparison needs the instance at its beginning") {
+    const property::Handle crate = property::get(tree, "world.crate").reference();
+    bool another = GENERATE(false, true);
+    const auto repeat = state().options.repeat_with;
+    // At the beginning, the crate is not there; another instance may have its path.
+    state().options.repeat_with = [&](std::int64_t from, const auto& change, const auto& visit) {
+        tree.rename(crate, "made_later");
+        const property::Handle other =
+            another ? tree.create(tree.class_of(crate), tree.parent(crate), "crate")
+                    : property::Handle();
+        const auto back = [&] {
+            if (other) tree.destroy(other);
+            tree.rename(crate, "crate");
+        };
+        try {
+            repeat(from, change, visit);
+        } catch (...) {
+            back();
+            throw;
+        }
+        back();
+    };
+    runs().request_change("world.crate.mass", Value(3.0), 1);
+    console.between_frames();
+    CHECK_FALSE(runs().shown());
+    INFO(log_text());
+    CHECK(
+        logged("ab: world.crate.mass was not yet there at the beginning, step 40: ask for fewer "
+               "seconds"));
+    runs().request_change("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    CHECK(runs().shown());
+}
+
 }  // namespace compare_test

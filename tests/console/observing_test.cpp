@@ -174,7 +174,7 @@ TEST_CASE("breaks say what they wait for and are listed and removed singly") {
     // The same again is no other break.
     rig.run("break_when world.crate.mass");
     CHECK(breaks.size() == 3);
-    says("breaks", "\"world.ball.position.x >= 7\"");
+    says("breaks", "world.ball.position.x >= 7");
     says("#breaks()", "3");
     says("unbreak world.crate.mas", "no break has that condition");
     says("unbreak world.boss.mass > 3", "that break is removed");
@@ -373,13 +373,14 @@ TEST_CASE("columns of a table have quotes where they need them and gaps where no
     what.text = "f(1, \"a\")";
     double value = 1;
     what.value = [&value] { return Value(value); };
+    const property::Tree tree;
     std::vector<console::Trace> plots;
     plots.emplace_back(what);
-    plots.back().take(5);
+    plots.back().take(tree, 5);
     what.text = "late";
     plots.emplace_back(what);
     value = 2.5;
-    for (console::Trace& each : plots) each.take(6);
+    for (console::Trace& each : plots) each.take(tree, 6);
     CHECK(console::csv_of(plots, 0.5) ==
           "step,seconds,\"f(1, \"\"a\"\")\",late\r\n5,2.5,1,\r\n6,3,2.5,2.5\r\n");
 }

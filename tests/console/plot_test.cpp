@@ -272,4 +272,16 @@ TEST_CASE("the console leaves room for the legend of writers beside what it obse
     CHECK(rig.lua.free_area(whole).height == whole.height);
 }
 
+TEST_CASE("the labels of a plot of tiny values differ") {
+    for (const double most : {1e-6, 3e-6, 9e-6}) {
+        const auto [low, high] = console::shown_range(0.2e-6, most);
+        const double apart = console::value_between_labels(high - low, 100, 18);
+        INFO(most);
+        CHECK(apart >= 1e-6);
+        CHECK((low < 0.2e-6 && high > most));
+    }
+    const auto [low, high] = console::shown_range(0, 0);
+    CHECK((low < -0.5 && high > 0.5));
+}
+
 }  // namespace plot_test

@@ -132,7 +132,7 @@ TEST_CASE("an edit goes to all that are selected as one step of undo") {
     rig.draw(2);
     for (const char* const path : {"world.ball.mass", "world.crate.mass", "world.floor.mass"})
         CHECK(rig.value(path).number() == 7);
-    rig.tree.undo();
+    CHECK(rig.tree.undo().name == "edit mass of 3 selected instances");
     CHECK(rig.value("world.ball.mass").number() == 1);
     CHECK(rig.value("world.crate.mass").number() == 5);
     CHECK(rig.value("world.floor.mass").number() == 1);
@@ -141,7 +141,7 @@ TEST_CASE("an edit goes to all that are selected as one step of undo") {
     rig.draw();
     CHECK(rig.value("world.crate.angle").number() > 0.2);
     CHECK(rig.value("world.crate.angle").number() == rig.value("world.floor.angle").number());
-    rig.tree.undo();
+    CHECK(rig.tree.undo().name == "edit angle of 3 selected instances");
     CHECK(rig.value("world.ball.angle").number() == 0);
     CHECK(rig.value("world.crate.angle").number() == 0);
 }

@@ -44,6 +44,9 @@ TEST_CASE("observed numbers have a constant width") {
     CHECK(aligned_number(-0.00123456, 0.005) == "-0.001235");
     CHECK(aligned_number(0.5, 1234567) == "     0.5");
     CHECK(aligned_number(1.25, 2, 2) == "  1.2");
+    // Both numbers of a vector have the same notation.
+    CHECK(aligned_number(-0.03698, 0.03698, 2) == "-0.037");
+    CHECK(aligned_number(-0.00242, 0.03698, 2) == "-0.002");
 }
 
 TEST_CASE("numbers in the text of a formula are not shortened") {

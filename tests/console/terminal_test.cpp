@@ -101,4 +101,46 @@ TEST_CASE("a search and a file of commands are answered later") {
     CHECK_FALSE(rig.lua.answers_later());
 }
 
+TEST_CASE("a selection and the end of a comparison and a replay are answered in a terminal") {
+    ObservingRig rig;
+    rig.step(200);
+    const auto answer = [&](const std::string& command) {
+        std::string all;
+        for (const std::string& line : rig.lua.answer_terminal(command, "terminal 1").lines)
+            all += line + "|";
+        return all;
+    };
+    CHECK(answer("it = world.ball") == "it = world.ball|");
+    CHECK(answer("selection { world.ball, world.crate }") == "2 selected, it = world.crate|");
+    CHECK(answer("it = nil") == "nothing is selected|");
+    CHECK(answer("ab()") == "nothing is compared|");
+    CHECK(answer("play_back(2)")
+              .starts_with("the window plays steps 80 to 200; then the game goes on"));
+    // The log of the window has each answer once.
+    const std::string log = rig.text();
+    const std::size_t first = log.find("it = world.ball\n");
+    REQUIRE(first != std::string::npos);
+    CHECK(log.find("2 selected") == log.rfind("2 selected"));
+    // Commands that are typed in the window need no answer but the log's.
+    CHECK(rig.lua.evaluate("it = world.ball").lines.empty());
+    CHECK(rig.text().find("it = world.ball\n") != std::string::npos);
+}
+
+TEST_CASE("go_on lets a game go on that stands after an error or is paused") {
+    ObservingRig rig;
+    bool halted = true;
+    rig.lua.state().views.time_bar.halted = [&] { return halted; };
+    rig.lua.state().options.resume = [&] { halted = false; };
+    rig.step(7);
+    rig.run("time.paused = true");
+    const auto answer = [&](const std::string& command) {
+        const auto lines = rig.lua.answer_terminal(command, "terminal 1").lines;
+        return lines.empty() ? std::string() : lines.front();
+    };
+    CHECK(answer("go_on()") == "the game goes on from step 7");
+    CHECK_FALSE(halted);
+    CHECK(rig.value("time.paused") == property::Value(false));
+    CHECK(answer("go_on()") == "the game runs already");
+}
+
 }  // namespace terminal_test

@@ -100,6 +100,8 @@ TEST_CASE("the caret is below the name in the message") {
     CHECK(marked("  nothing named ", "something failed") == "nothing");
     CHECK(marked("x = scene.load()", "main.lua:9: scene is not available") == "scene");
     CHECK(marked("a.color = b.velocity.z", "main.lua:8: a vec has no z") == "z");
+    CHECK(marked("f(\"in handler\", handler)", "main.lua:8: in handler") == "handler");
+    CHECK(marked("f(\"in handler\")", "main.lua:8: in handler") == "f");
     CHECK(marked("", "something failed").empty());
 }
 

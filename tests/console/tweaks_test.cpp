@@ -97,6 +97,27 @@ TEST_CASE("a row of the list of tweaks stays in its place when the one above it 
     CHECK(rig.state().views.tweak_list.button(1, "keep").low.y == before);
 }
 
+TEST_CASE("rows of the list of tweaks stay under the mouse until it leaves the list") {
+    TweakedRig rig;
+    const auto& list = rig.state().views.tweak_list;
+    const float first = list.button(0, "keep").low.y, second = list.button(1, "keep").low.y;
+    rig.press(0, "drop");
+    REQUIRE(rig.tweaks->list().size() == 1);
+    CHECK(list.button(0, "keep").empty());
+    CHECK(list.button(1, "keep").low.y == second);
+    CHECK(rig.state().views.tweak_list.open_count() == 1);
+    // A tweak that comes meanwhile is below the others.
+    rig.edit("world.ball.mass", 6);
+    rig.draw(40);
+    CHECK(list.button(0, "keep").low.y == first);
+    CHECK(list.button(1, "keep").low.y == second);
+    rig.press(0, "drop");
+    rig.move(640, 790);
+    rig.draw(3);
+    CHECK(list.button(0, "keep").low.y == first);
+    CHECK(list.button(1, "keep").empty());
+}
+
 TEST_CASE("the text of an empty list of tweaks is wrapped") {
     const Place place;
     Rig rig({}, place.game());
@@ -117,6 +138,21 @@ TEST_CASE("in a narrow window the list of tweaks leaves the times to tooltips") 
     for (int i = 0; i < 3; ++i) rig.console.draw(narrow, 1.0 / 60);
     CHECK_FALSE(rig.state().views.tweak_list.shows_times());
     CHECK_FALSE(rig.state().views.tweak_list.button(1, "drop").empty());
+}
+
+TEST_CASE("in a window of 400 px the buttons have room at scale 2") {
+    TweakedRig rig;
+    rig.state().settings.set("scale", Value(2.0));
+    console::test::RasterSurface narrow(400, 400), wide(1280, 800);
+    for (int i = 0; i < 3; ++i) rig.console.draw(narrow, 1.0 / 60);
+    const Rect drop = rig.state().views.tweak_list.button(-1, "drop all");
+    REQUIRE_FALSE(drop.empty());
+    CHECK(drop.high.x < 400);
+    CHECK(rig.state().views.tweak_list.button(0, "drop").high.x < 400);
+    const float small = drop.high.y - drop.low.y;
+    for (int i = 0; i < 3; ++i) rig.console.draw(wide, 1.0 / 60);
+    const Rect large = rig.state().views.tweak_list.button(-1, "drop all");
+    CHECK(large.high.y - large.low.y > 1.5f * small);
 }
 
 TEST_CASE("a command of a menu or a key shows its output in place of the list of tweaks") {

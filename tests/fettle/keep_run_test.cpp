@@ -23,6 +23,40 @@ TEST_CASE("instances made in the console that refer to each other are all made a
           "true\ttrue\n");
 }
 
+TEST_CASE("a kept value says when the script gives another one than it gave then") {
+    const Folder folder;
+    const auto gives = [&](const std::string& mass) {
+        folder.write("main.lua", "world.ball = Body { Circle {} }\n\nworld.ball.mass = " + mass +
+                                     "\nworld.ball.friction = 0.5\n");
+    };
+    gives("2");
+    run(folder, {"4:world.ball.mass=7", "5:world.ball.friction=0.25", "6:keep(\"**\")"});
+    const std::string now =
+        "main.lua:3 now gives world.ball.mass 3 kg; it gave 2 when 7 was kept, "
+        "which main.tweaks.json:4 still sets";
+    CHECK_FALSE(contains(run(folder, {}).err, "now gives"));
+    gives("3");
+    const Outcome outcome = run(folder, {}, "print(world.ball.mass)");
+    INFO(outcome.err);
+    CHECK(outcome.out == "7.0\n");
+    CHECK(contains(outcome.err, now));
+    CHECK_FALSE(contains(outcome.err, "friction"));
+    // Whoever keeps a value again knows what the script gives.
+    run(folder, {"4:world.ball.mass=8", "5:keep(\"**\")"});
+    CHECK_FALSE(contains(run(folder, {}).err, "now gives"));
+    gives("2");
+    CHECK(contains(run(folder, {}).err, "it gave 3 when 8 was kept"));
+}
+
+TEST_CASE("a kept value that the script has changed while the game ran is not compared") {
+    const Folder folder;
+    folder.write("main.lua",
+                 "world.ball = Body { Circle {}, friction = 0.9 }\n"
+                 "function step() world.ball.friction = world.ball.friction / 2 end\n");
+    run(folder, {"4:world.ball.friction=0.5", "5:world.ball.position=vec(1,2)", "6:keep(\"**\")"});
+    CHECK_FALSE(contains(run(folder, {}).err, "now gives"));
+}
+
 TEST_CASE("a kept reference to an instance that the script makes later is set without a warning") {
     const Folder folder;
     folder.write("main.lua", "world.joint = DistanceJoint {}  world.ball = Body { Circle {} }");

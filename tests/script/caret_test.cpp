@@ -52,6 +52,22 @@ TEST_CASE("the caret of an error is at the name in error and not at the same nam
     CHECK(s.errors.front().column == static_cast<int>(bar) + 1);
 }
 
+TEST_CASE("the caret of an error that a script raises is at the call of error") {
+    // The bar marks the place.
+    std::string text = GENERATE(as<std::string>(), "|error('oops')", "local x = 1 |error(\"in x\")",
+                                "local ball = 2 |error('ball: ' .. ball)",
+                                "local ball if not ball then |error { code = 3 } end");
+    const std::size_t bar = text.find('|');
+    text.erase(bar, 1);
+    Stage s;
+    s.fails(text);
+    INFO(text << "\n" << s.errors.front().message);
+    CHECK(s.errors.front().column == static_cast<int>(bar) + 1);
+    const Evaluation typed = s.runtime->evaluate(text);
+    REQUIRE(typed.error);
+    CHECK(typed.error->column == static_cast<int>(bar) + 1);
+}
+
 TEST_CASE("an error whose place in the line is not clear has no caret") {
     Stage s;
     s.fails("print(vec(1, 2), vec('a', 2))");

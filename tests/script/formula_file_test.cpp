@@ -145,8 +145,8 @@ TEST_CASE("a formula text that does not compile is refused with its place in the
         }
         return "";
     };
-    CHECK_THAT(refusal("2 *"), contains("level.json:2:32: world.b.mass: the formula does not "
-                                        "compile: it ends too early"));
+    CHECK_THAT(refusal("2 *"), contains("level.json:2:32: world.b.mass: the formula ends "
+                                        "too early"));
     CHECK_THAT(refusal("function()\\n return ) end"), contains("does not compile: line 2: "));
     CHECK_THAT(refusal(" "), contains("has no text"));
     CHECK(s.prints("print(world:has('b'))") == "false");

@@ -43,6 +43,28 @@ TEST_CASE("name and parent cannot have a formula") {
     CHECK(s.prints("print(world.ball.name)") == "ball");
 }
 
+TEST_CASE("a script that replaces a typed formula is named once") {
+    Stage s;
+    std::vector<std::string> notes;
+    s.runtime->on_note([&](std::string_view text) { notes.emplace_back(text); });
+    s.run("world.ball = Body { mass = 2 }");
+    s.console("world.ball.mass is 1 + 2");
+    s.console("world.ball.gravity_scale is 3");
+    s.run("for i = 1, 3 do\nworld.ball.mass = i\nend");
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0] ==
+          "main.lua:2: this line replaces the formula that was typed for "
+          "world.ball.mass: is 1 + 2");
+    // A person, and a script that replaces a formula of a script, know what they do.
+    s.console("world.ball.gravity_scale = 1");
+    s.run("world.ball.mass = formula(function() return 3 end) world.ball.mass = 4");
+    CHECK(notes.size() == 1);
+    s.console("world.ball.mass is 5");
+    s.run("world.ball.mass = formula(function() return 3 end)");
+    REQUIRE(notes.size() == 2);
+    CHECK_THAT(notes[1], contains("main.lua:1: this line replaces the formula"));
+}
+
 TEST_CASE("reading a formula in error raises and the formula recovers") {
     Stage s;
     s.run("world.total = formula(function() return world.ball.mass end)");

@@ -41,6 +41,12 @@ struct Served : TwoBodies {
             for (const script::Observed& each : pinned) all.emplace_back(each.text, each.value());
             return all;
         };
+        f.listed = [this](script::Listed) {
+            std::vector<std::string> lines;
+            for (const script::Observed& each : pinned)
+                lines.push_back(each.text + "  " + tree->text(each.value()));
+            return lines;
+        };
         f.unpin = [this](const std::string& text) {
             texts.push_back("unpin " + text);
             return std::string(text == "world.ball.mass" ? "" : "nothing like that is pinned");
@@ -301,7 +307,7 @@ TEST_CASE("wrong arguments of the console's functions are named") {
     Served s;
     CHECK_THAT(s.console("pin(3)"), contains("pin: needs a path or an expression as text"));
     CHECK_THAT(s.console("pin()"), contains("pin: needs a path"));
-    CHECK_THAT(s.console("pin('world.ball.mass >')"), contains("does not compile"));
+    CHECK_THAT(s.console("pin('world.ball.mass >')"), contains("the expression ends too early"));
     CHECK_THAT(s.console("bind(3, 'x')"), contains("bind: needs the name of a key"));
     CHECK_THAT(s.console("alias('a b', 'x')"), contains("alias: \"a b\" is not a word"));
     CHECK_THAT(s.console("alias('if', 'x')"), contains("alias: \"if\" is a word of Lua"));

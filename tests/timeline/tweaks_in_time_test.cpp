@@ -50,6 +50,40 @@ TEST_CASE("each branch lists its own edits and those of values that only another
     CHECK(game.list() == second);
 }
 
+TEST_CASE("an instance that was made again twice and kept is listed once") {
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.make("lamp"); });
+    game.run(5);
+    game.time().go_to(2);
+    CHECK(game.tweaks.reapply("**").count == 1);
+    game.barrier();
+    game.person([&] { game.tree.undo(); });
+    CHECK(game.list() == Lines{"world.lamp: nothing → new Body"});
+    CHECK(game.tweaks.reapply("**").count == 1);
+    game.barrier();
+    CHECK(game.tweaks.keep("**").count == 1);
+    game.run(3);
+    CHECK(game.list() == Lines{"world.lamp: nothing → new Body, kept"});
+}
+
+TEST_CASE("edits of an instance that is made later stay listed") {
+    Tweaked game;
+    game.run(4);
+    game.tree.create(*game.tree.find_class("Body"), game.at("world"), "late");  // by the game
+    game.run(5);
+    game.edit("world.late.gravity_scale", 2);
+    game.run(5);
+    const Lines all{"world.late.gravity_scale: 1 → 2"};
+    for (const std::int64_t step : {2, 12, 7, 2, 15}) {
+        game.time().go_to(step);
+        CHECK(game.list() == all);
+    }
+    game.time().go_to(2);
+    CHECK(game.tweaks.keep("**").count == 1);
+    CHECK(game.kept_file().find("\"world.late.gravity_scale\": 2") != std::string::npos);
+}
+
 TEST_CASE("a drag that has not ended is listed after looking at the past") {
     Tweaked game;
     game.run(4);

@@ -71,6 +71,9 @@ struct ErrorScreen::Line {
     bool boxed = false;      // code, on a darker background
     int caret = -1;          // the character that a caret below the line points to
     std::size_t indent = 0;  // of the rows after the first one, in characters
+    bool heading = false;    // of the lines below it
+    bool continues = false;  // the line before it
+    bool below = false;      // a caret
 };
 
 std::string error_text(const script::ScriptError& error) {
@@ -160,6 +163,7 @@ std::vector<Line> broken(Surface& surface, const std::vector<Line>& lines, float
             rest.remove_prefix(part.size());
             piece.text = indent + std::string(part);
             if (begin > 0) piece.above = 0;
+            piece.continues = begin > 0;
             const int end = begin + static_cast<int>(property::code_point_count(part));
             pieces.push_back(std::move(piece));
             if (line.caret >= begin && (line.caret < end || rest.empty())) {
@@ -168,6 +172,7 @@ std::vector<Line> broken(Surface& surface, const std::vector<Line>& lines, float
                     indent + std::string(static_cast<std::size_t>(line.caret - begin), ' ') + "^";
                 caret.color = red;
                 caret.above = 0;
+                caret.below = true;
                 pieces.push_back(std::move(caret));
             }
             begin = end;
@@ -176,11 +181,22 @@ std::vector<Line> broken(Surface& surface, const std::vector<Line>& lines, float
     return pieces;
 }
 
+/// The text of a row after which others are left out.
+template <class Line>
+std::string ended(Surface& surface, const Line& line, float room) {
+    constexpr std::string_view more = "…";
+    const float left = room - surface.text(0, 0, more, line.size, {0, 0, 0, 0}, line.face);
+    std::string_view text = line.text;
+    text = text.substr(0, fitting(surface, text, left, line.size, line.face));
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    return std::string(text) + std::string(more);
+}
+
 template <class Line>
 void add_section(std::vector<Line>& lines, const char* title, const std::string& text,
                  SurfaceColor color) {
     if (text.empty()) return;
-    lines.push_back({.text = title, .color = pale, .above = 18});
+    lines.push_back({.text = title, .color = pale, .above = 18, .heading = true});
     for (std::string& line : split(text))
         lines.push_back({.text = std::move(line),
                          .size = 14,
@@ -314,14 +330,22 @@ void ErrorScreen::draw_text(Surface& surface, float bottom) {
     const ClipRectangle part = free_part(surface);
     const float room = text_width(part);
     bottom = std::min(bottom, part.top + part.height);
-    const std::vector<Line> all = broken(surface, lines(), room);
+    std::vector<Line> all = broken(surface, lines(), room);
     scroll_ = std::clamp(scroll_, 0, static_cast<int>(all.size()) - 1);
     float y = part.top + (part.top > 0 ? small_margin : margin);
     for (std::size_t i = static_cast<std::size_t>(scroll_); i < all.size() && y < bottom; ++i) {
-        const Line& line = all[i];
+        Line& line = all[i];
         const float step = 1.32f * line.size;
         y += line.above;
         if (y + step > bottom) break;
+        // A heading has a row below it, and a text does not seem to end where it goes on.
+        float low = y + step;
+        std::size_t next = i + 1;
+        for (; next < all.size() && all[next].below; ++next) low += 1.32f * all[next].size;
+        if (next < all.size() && low + all[next].above + 1.32f * all[next].size > bottom) {
+            if (line.heading) break;
+            if (all[next].continues && !line.below) line.text = ended(surface, line, room);
+        }
         if (line.boxed) fill(surface, margin - 10, y - 2, room + 20, step + 4, {8, 9, 12, 255});
         surface.text(margin, y, line.text, line.size, line.color, line.face);
         y += step;
@@ -390,16 +414,26 @@ float ErrorScreen::draw_over(Surface& surface, float bottom) const {
     return top;
 }
 
-/// Draws the first line of the error and the keys; the game stays visible above.
+/// Draws the message of the error and the keys; the game stays visible above.
 float ErrorScreen::draw_strip(Surface& surface, float bottom) const {
-    const float top = bottom - keys_height - 34;
-    fill(surface, 0, top, surface.width(), 38, {18, 20, 26, 255});
-    fill(surface, 0, top, 5, 38 + keys_height, red);
-    const std::string_view message = error_->message;
+    constexpr std::size_t most_rows = 3;
     const float room = text_width(free_part(surface));
-    surface.text(margin, top + 10,
-                 message.substr(0, fitting(surface, message, room, 16, Face::bold)), 16, red,
-                 Face::bold);
+    const std::vector<Line> headline = {
+        {.text = error_->message, .size = 16, .color = red, .face = Face::bold}};
+    std::vector<Line> rows = broken(surface, headline, room);
+    if (rows.size() > most_rows) {
+        rows.resize(most_rows);
+        rows.back().text = ended(surface, rows.back(), room);
+    }
+    const float row = 1.32f * 16, tall = 17 + row * static_cast<float>(rows.size());
+    const float top = bottom - keys_height - tall + 4;
+    fill(surface, 0, top, surface.width(), tall, {18, 20, 26, 255});
+    fill(surface, 0, top, 5, tall + keys_height, red);
+    float y = top + 8;
+    for (const Line& line : rows) {
+        surface.text(margin, y, line.text, line.size, line.color, line.face);
+        y += row;
+    }
     draw_keys(surface, bottom - keys_height);
     return top;
 }

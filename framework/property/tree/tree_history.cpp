@@ -1,5 +1,6 @@
 // Public functions of the history.
 
+#include <fettle/property/earlier_writer.h>
 #include <fettle/property/located_writes.h>
 
 #include "state.h"
@@ -83,6 +84,14 @@ Provenance Tree::last_writer(Handle instance, const Property& property) const {
             return written;
     }
     return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
+}
+
+Provenance last_writer_until(Tree& tree, Handle instance, const Property& property,
+                             std::uint64_t step) {
+    Tree::State& state = tree.state();
+    state.instances.require(instance, property);
+    state.changes.report_plain_writes();
+    return state.changes.writes.find(instance, property.symbol, step);
 }
 
 std::size_t edits_without_undo(const Tree& tree) {

@@ -71,6 +71,18 @@ int column_of_path(const std::string& line, std::string_view code, std::string_v
     }
 }
 
+/// The call of `error` in the line; 0 if there is none, or more than one.
+int column_of_raise(const std::string& line, std::string_view code) {
+    const std::vector<std::size_t> places = places_of(code, "error");
+    return places.size() == 1 ? column_at(line, places.front()) : 0;
+}
+
+/// Whether the message is one that the line contains, as `error("no ball")` does.
+bool is_written_in(const std::string& line, std::string_view message) {
+    return !message.empty() && (line.find('"' + std::string(message) + '"') != line.npos ||
+                                line.find('\'' + std::string(message) + '\'') != line.npos);
+}
+
 }  // namespace
 
 int guess_column(const ScriptError& error, const Sources::Stop& stop) {
@@ -78,6 +90,10 @@ int guess_column(const ScriptError& error, const Sources::Stop& stop) {
     if (text == stop.message && stop.column < error.source_line.size())
         return static_cast<int>(shown_width(error.source_line.substr(0, stop.column))) + 1;
     const std::string code = code_of(error.source_line);
+    const std::string place = error.file + ":" + std::to_string(error.line) + ": ";
+    if (is_written_in(error.source_line,
+                      std::string_view(text).substr(text.starts_with(place) ? place.size() : 0)))
+        if (const int column = column_of_raise(error.source_line, code)) return column;
     for (std::size_t open = text.find('\''); open != std::string::npos;) {
         const std::size_t close = text.find('\'', open + 1);
         if (close == std::string::npos) break;
@@ -88,13 +104,13 @@ int guess_column(const ScriptError& error, const Sources::Stop& stop) {
     // The message has the form "main.lua:12: world.ball.mas: no such name".
     std::size_t start = error.file.size();
     start = text.find(": ", start);
-    if (start == std::string::npos) return 0;
-    start += 2;
-    const std::size_t end = text.find(": ", start);
-    if (end == std::string::npos) return 0;
+    const std::size_t end = start == std::string::npos ? start : text.find(": ", start += 2);
+    if (end == std::string::npos) return column_of_raise(error.source_line, code);
     const std::string_view path = std::string_view(text).substr(start, end - start);
     const bool unknown = std::string_view(text).substr(end + 2).starts_with("no such name");
-    return column_of_path(error.source_line, code, path, unknown && path.find('.') == path.npos);
+    const int column =
+        column_of_path(error.source_line, code, path, unknown && path.find('.') == path.npos);
+    return column > 0 || unknown ? column : column_of_raise(error.source_line, code);
 }
 
 void shorten_source(ScriptError& error) {

@@ -215,6 +215,7 @@ bool add_formula(lua_State* L, Machine& machine, std::string_view command) {
     const Handle instance = check_instance(L, -1, "is");
     const std::string code = "return " + source;
     if (load_text(L, code, formula_chunk) != LUA_OK) {
+        if (ends_early(L)) throw Error(ErrorKind::formula, "the formula ends too early");
         (void)load_text(L, code, ("=" + machine.sources.commands.chunk()).c_str());
         lua_error(L);
     }
@@ -239,18 +240,6 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
     evaluation.lines = help_lines(L, 1);
     lua_settop(L, 0);
     return true;
-}
-
-/// The call of a function whose result is printed and that may be typed without parentheses; ""
-/// for another command. `pin` is the name of many things in games.
-std::string bare_question(lua_State* L, std::string_view command) {
-    if (command == "breaks" || command == "bookmarks" || command == "pins")
-        return std::string(command) + "()";
-    if (command != "pin") return {};
-    lua_getglobal(L, "pin");
-    const bool own = lua_iscfunction(L, -1) != 0;
-    lua_pop(L, 1);
-    return own ? "pins()" : "";
 }
 
 /// Functions without arguments that may be typed without parentheses.
@@ -364,8 +353,7 @@ void take_lines(Machine& machine, Evaluation& evaluation) {
 
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
     if (command == "?") command = "help";
-    const std::string call = bare_question(L, command);
-    if (!call.empty()) command = call;
+    if (list_by_word(L, command, evaluation.lines)) return;
     if (add_help(L, machine, command, evaluation)) return;
     if (is_bare_command(command)) {
         lua_getglobal(L, std::string(command).c_str());

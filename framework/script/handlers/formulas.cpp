@@ -168,9 +168,10 @@ property::Formula compile_formula(Machine& machine, const std::string& source, c
     machine.errors.caught.reset();
     if (!wrong.empty()) {
         const bool early = wrong.ends_with("near <eof>");
-        throw Error(ErrorKind::formula,
-                    std::string(what) + " does not compile: " +
-                        (early ? "it ends too early" : without_chunk(std::move(wrong))));
+        throw Error(
+            ErrorKind::formula,
+            std::string(what) + (early ? " ends too early"
+                                       : " does not compile: " + without_chunk(std::move(wrong))));
     }
     return {ScriptFormula(machine, function), source};
 }

@@ -1,11 +1,14 @@
 // Functions that need a console:
 //   pin(...)  unpin(text)  pins()  plot(...)  break_when(condition)  unbreak(text)  breaks()
 //   last_time(condition)
-//   selection(instances)  bind(key, command)  alias(word, command)  exec(file)  clear()
-//   export_plot(kind)  ab(path, value)  share(file)  record(on)  restart()
+//   selection(instances)  bind(key, command)  binds()  alias(word, command)  aliases()  exec(file)
+//   clear()
+//   export_plot(kind)  ab(path, value)  share(file)  record(on)  go_on()  restart()
 //   compare_branch(name)  bookmark(name, step)  unbookmark(name)  bookmarks()  play_back(seconds)
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -141,9 +144,8 @@ int last_time(lua_State* L) {
 
 int ab(lua_State* L) {
     Machine& machine = machine_of(L);
-    const auto* function = served(machine, &ConsoleFunctions::ab, "ab");
     if (lua_isnoneornil(L, 1)) {
-        if (function != nullptr) (*function)({}, {}, 0);
+        ask_console<&ConsoleFunctions::ab>(L, "ab", std::string(), property::Value(), 0.0);
         return 0;
     }
     const std::string path =
@@ -154,7 +156,7 @@ int ab(lua_State* L) {
             "ab: needs the other value after the path, as in ab(\"world.gravity\", vec(0, -2))");
     const property::Value value = to_value(L, 2);
     const double seconds = lua_isnoneornil(L, 3) ? 4 : check_number(L, 3, "ab: seconds");
-    if (function != nullptr) (*function)(path, value, seconds);
+    ask_console<&ConsoleFunctions::ab>(L, "ab", path, value, seconds);
     return 0;
 }
 
@@ -202,7 +204,7 @@ int play_back(lua_State* L) {
         lua_isnoneornil(L, 1) ? HUGE_VAL : check_number(L, 1, "play_back: seconds");
     if (!(seconds > 0))
         throw Error(ErrorKind::out_of_range, "play_back: expected a time in seconds, more than 0");
-    call_console<&ConsoleFunctions::play_back>(L, "play_back", seconds);
+    ask_console<&ConsoleFunctions::play_back>(L, "play_back", seconds);
     return 0;
 }
 
@@ -224,6 +226,11 @@ int record(lua_State* L) {
     return 0;
 }
 
+int go_on(lua_State* L) {
+    ask_console<&ConsoleFunctions::go_on>(L, "go_on");
+    return 0;
+}
+
 int restart(lua_State* L) {
     call_console<&ConsoleFunctions::restart>(L, "restart");
     return 0;
@@ -234,6 +241,27 @@ int bind(lua_State* L) {
     ask_console<&ConsoleFunctions::bind>(L, "bind", key,
                                          text_or_nothing(L, 2, "bind: the command is a text"));
     return 0;
+}
+
+template <auto member>
+int push_commands(lua_State* L, const char* what) {
+    const auto* function = served(machine_of(L), member, what);
+    lua_newtable(L);
+    if (function == nullptr) return 1;
+    for (const auto& [name, command] : (*function)()) {
+        push_text(L, name);
+        push_text(L, command);
+        lua_rawset(L, -3);
+    }
+    return 1;
+}
+
+int binds(lua_State* L) {
+    return push_commands<&ConsoleFunctions::binds>(L, "binds");
+}
+
+int aliases(lua_State* L) {
+    return push_commands<&ConsoleFunctions::aliases>(L, "aliases");
 }
 
 int alias(lua_State* L) {
@@ -303,7 +331,7 @@ int selection(lua_State* L) {
             lua_pop(L, 1);
         }
     }
-    call_console<&ConsoleFunctions::select>(L, "selection", all);
+    ask_console<&ConsoleFunctions::select>(L, "selection", all);
     return 0;
 }
 
@@ -316,10 +344,37 @@ void assign_it(lua_State* L, int index) {
         all.push_back(check_instance(L, index, "it"));
     else if (!lua_isnil(L, index))
         refuse_type(L, index, "`it` is the selected instance: expected an instance or nil");
-    if (const auto& select = (*machine.host.console).select)
-        select(all);
-    else
+    if (const auto& select = (*machine.host.console).select) {
+        if (const std::string answer = select(all); !answer.empty() && machine.recording.active)
+            print_line(machine, answer);
+    } else {
         machine.globals.it = all.empty() ? property::Handle() : all.front();
+    }
+}
+
+bool list_by_word(lua_State* L, std::string_view word, std::vector<std::string>& lines) {
+    constexpr std::pair<std::string_view, Listed> words[] = {{"pin", Listed::pins},
+                                                             {"pins", Listed::pins},
+                                                             {"plot", Listed::plots},
+                                                             {"break_when", Listed::breaks},
+                                                             {"breaks", Listed::breaks},
+                                                             {"bookmark", Listed::bookmarks},
+                                                             {"bookmarks", Listed::bookmarks},
+                                                             {"bind", Listed::binds},
+                                                             {"binds", Listed::binds},
+                                                             {"alias", Listed::aliases},
+                                                             {"aliases", Listed::aliases}};
+    const auto* const found =
+        std::ranges::find(words, word, &std::pair<std::string_view, Listed>::first);
+    if (found == std::end(words)) return false;
+    lua_getglobal(L, found->first.data());
+    const bool own = lua_iscfunction(L, -1) != 0;  // and not a variable of the game
+    lua_pop(L, 1);
+    if (!own) return false;
+    Machine& machine = machine_of(L);
+    if (const auto* function = served(machine, &ConsoleFunctions::listed, found->first.data()))
+        lines = (*function)(found->second);
+    return true;
 }
 
 void open_console_functions(lua_State* L) {
@@ -333,6 +388,8 @@ void open_console_functions(lua_State* L) {
     add_function<last_time>(L, "last_time");
     add_function<bind>(L, "bind");
     add_function<alias>(L, "alias");
+    add_function<binds>(L, "binds");
+    add_function<aliases>(L, "aliases");
     add_function<exec>(L, "exec");
     add_function<clear>(L, "clear");
     add_function<export_plot>(L, "export_plot");
@@ -340,6 +397,7 @@ void open_console_functions(lua_State* L) {
     add_function<ab>(L, "ab");
     add_function<share>(L, "share");
     add_function<record>(L, "record");
+    add_function<go_on>(L, "go_on");
     add_function<restart>(L, "restart");
     add_function<compare_branch>(L, "compare_branch");
     add_function<bookmark>(L, "bookmark");

@@ -19,6 +19,9 @@ void open_history(lua_State* L);
 void open_console_functions(lua_State* L);
 /// `it = ball` in the console: selects the instance at `index`, or nothing if it is nil.
 void assign_it(lua_State* L, int index);
+/// Whether the text is the name of a function of the console that lists something when it stands
+/// alone, as `pin`, and no variable of the game has that name. Then `lines` become that list.
+bool list_by_word(lua_State* L, std::string_view word, std::vector<std::string>& lines);
 
 /// Says that an edit was too large to be undone, and which property changes that; "" if there was
 /// none since `before`, which is an earlier value of `property::edits_without_undo`.

@@ -20,6 +20,7 @@ struct Host;
 struct Recording;
 struct Boxes;
 class MovedLists;
+struct TypedFormulas;
 class MemberTables;
 class Declarations;
 struct Errors;
@@ -48,6 +49,7 @@ struct Machine {
     Recording& recording;
     Boxes& boxes;
     MovedLists& moved_lists;
+    TypedFormulas& typed_formulas;
     MemberTables& members;
     Declarations& declarations;
     Errors& errors;

@@ -20,22 +20,29 @@ const std::vector<GlobalDoc>& global_docs() {
          "going back in time does not change it, and no saved game contains it."},
         {"alias", "alias(word: string, command?: string)",
          "In the console the word stands for the command; what is typed after it is put after "
-         "the command. Without a command the alias is removed."},
+         "the command. Without a command the alias is removed. `alias` alone lists them."},
+        {"aliases", "aliases(): table<string, string>",
+         "The words that stand for commands, with the commands. In the console the parentheses "
+         "may be left out."},
         {"bind", "bind(key: string, command?: string)",
          "Runs the command whenever the key goes down, also while the console is closed: "
          "bind(\"f5\", \"rewind(5)\"). Keys have the names of the class Keys. The game does not "
-         "get the key. Without a command the game gets the key again."},
+         "get the key. Without a command the game gets the key again. `bind` alone lists them."},
+        {"binds", "binds(): table<string, string>",
+         "The keys that run commands, with the commands. In the console the parentheses may be "
+         "left out."},
         {"bookmark", "bookmark(name?: string, step?: integer)",
          "Sets a bookmark on the time bar of the console: at the present step if step is left out. "
          "The same name again moves it. Bookmarks end with the run, because another run has "
-         "other steps."},
+         "other steps. `bookmark` alone, without parentheses, lists them."},
         {"bookmarks", "bookmarks(): table",
          "The steps of the bookmarks by their names: time:go_to(bookmarks().start) goes to one."},
         {"break_when", "break_when(condition?: string|fun(): any)",
          "Pauses the game after the step in which the condition becomes true, and prints its old "
          "and new value and what wrote it. If the value is not a boolean, the game pauses when it "
          "changes. "
-         "`breaks` lists the conditions, `unbreak` ends one; without a condition all end."},
+         "`break_when` alone, without parentheses, lists the conditions; `unbreak` ends one, and "
+         "break_when() all."},
         {"breaks", "breaks(): string[]",
          "The conditions that `break_when` waits for, as texts. In the console the parentheses may "
          "be left out."},
@@ -88,6 +95,9 @@ const std::vector<GlobalDoc>& global_docs() {
          "\"none\" (the default), \"fade\", \"wipe\" or \"iris\"; seconds, of real time (0.5); "
          "color; args: what "
          "`enter` gets, a value of a property or a table of them by name."},
+        {"go_on", "go_on()",
+         "A command of the console: lets the game go on after an error at which it stopped, and "
+         "after a pause. After going back, it goes on from there, as another branch."},
         {"help", "help(anything?: any)", "Explains a class, an instance, a method or a path."},
         {"history", "history()", "Lists the edits, the latest first."},
         {"keep", "keep(pattern: string)",
@@ -104,7 +114,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "`game` emits `restored`."},
         {"pin", "pin(what: string|fun(): any, ...: string|fun(): any)",
          "Adds a path or an expression to the watch list of the console: "
-         "pin(\"world.ball.mass\"). `pin` alone is `pins()`."},
+         "pin(\"world.ball.mass\"). `pin` alone lists what is pinned."},
         {"pins", "pins(): table<string, any>",
          "What is pinned, with the present values. In the console the parentheses may be left "
          "out."},
@@ -114,7 +124,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "begins with the oldest step that is kept. After going back it shows what followed."},
         {"plot", "plot(...: string|fun(): any)",
          "Shows values over time, of numbers, vectors and booleans, with the past as far as it is "
-         "kept: plot(\"world.ball.velocity\"). Without an argument the plot ends."},
+         "kept: plot(\"world.ball.velocity\"). plot() ends the plot; `plot` alone, without "
+         "parentheses, lists what is plotted."},
         {"query", "query(pattern: string): Set|table<string, any>",
          "Finds what a pattern matches. If its last part is the name of a child, the result is a "
          "set of instances: query(\"world.*.circle\"). If it is the name of a property, or a "
@@ -210,11 +221,11 @@ const std::vector<GlobalDoc>& global_docs() {
          "have options of the group: tween.sequence { a, b, loops = 0, alternate = true }."},
         {"undo", "undo(count?: integer)", "Reverses the latest edit, or as many as `count` says."},
         {"unbookmark", "unbookmark(name?: string)",
-         "Removes a bookmark; all of them without a name."},
+         "Removes a bookmark; unbookmark() removes all."},
         {"unbreak", "unbreak(condition?: string)",
-         "Ends one condition of `break_when`, which is named by its text; all if it is left out."},
+         "Ends one condition of `break_when`, which is named by its text; unbreak() ends all."},
         {"unpin", "unpin(what?: string)",
-         "Removes an entry from the watch list; without an argument, all."},
+         "Removes an entry from the watch list; unpin() removes all."},
         {"vec",
          "vec(x: number, y: number): vec\n"
          "vec(other: vec): vec\n"

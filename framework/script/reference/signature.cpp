@@ -117,9 +117,13 @@ std::string plain(const Signature& signature) {
 }
 
 std::string plain_signatures(std::string_view text) {
-    std::string joined;
-    for (const Signature& signature : parse_signatures(text))
-        joined += (joined.empty() ? "" : " or ") + plain(signature);
+    std::string joined, last;
+    for (const Signature& signature : parse_signatures(text)) {
+        // Two may differ in their types only.
+        if (plain(signature) == last) continue;
+        last = plain(signature);
+        joined += (joined.empty() ? "" : " or ") + last;
+    }
     return joined;
 }
 

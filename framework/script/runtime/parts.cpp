@@ -159,6 +159,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
               recording,
               boxes,
               moved_lists,
+              typed_formulas,
               members,
               declarations,
               errors,

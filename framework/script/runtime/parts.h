@@ -28,6 +28,7 @@
 #include <values/members.h>
 #include <values/moved_lists.h>
 #include <values/recording.h>
+#include <values/replaced_formulas.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -57,6 +58,7 @@ struct Parts {
     Recording recording;
     Boxes boxes;
     MovedLists moved_lists;
+    TypedFormulas typed_formulas;
     MemberTables members;
     Declarations declarations;
     Errors errors;

@@ -12,6 +12,7 @@
 #include <values/drawn_changes.h>
 #include <values/moved_lists.h>
 #include <values/recording.h>
+#include <values/replaced_formulas.h>
 #include <values/writes.h>
 
 namespace fettle::script {
@@ -91,6 +92,7 @@ void write_property(Machine& machine, Handle instance, const Property& property,
     note_drawn_change(machine, instance, property.name);
     Declarations& declarations = machine.declarations;
     if (!declarations.active()) {
+        note_replaced_formula(machine, instance, property.name);
         recorded(machine, instance, property,
                  [&] { set_or_explain(machine.tree, instance, property, value); });
         return;
@@ -137,9 +139,11 @@ void write_formula(Machine& machine, Handle instance, std::string_view name,
     if (declarations.defers(instance))
         return declarations.defer(instance, name, std::move(formula));
     if (machine.recording.active) require_fitting(machine, instance, name, formula);
+    note_replaced_formula(machine, instance, name);
     declarations.writing(instance, name);
     const bool added = machine.tree.find(instance, name) == nullptr;
     machine.tree.set_formula(instance, name, std::move(formula));
+    note_typed_formula(machine, instance, name);
     declarations.wrote(instance, name);
     if (!machine.recording.active) return;
     const Property& property = machine.tree.property(instance, name);

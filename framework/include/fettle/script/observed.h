@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,6 +33,9 @@ struct Observed {
     bool is_function() const { return text.starts_with("function"); }
 };
 
+/// What a console can list.
+enum class Listed : std::uint8_t { pins, plots, breaks, bookmarks, binds, aliases };
+
 /// Called in the middle of a command or of a script; must not throw. Missing functions are refused.
 /// Those that return a text answer a command with it; "" if the person sees what has happened.
 struct ConsoleFunctions {
@@ -40,6 +44,8 @@ struct ConsoleFunctions {
     std::function<std::string(const std::string& text)> unpin{};
     /// The texts of what is pinned, and the present values.
     std::function<std::vector<std::pair<std::string, property::Value>>()> pins{};
+    /// Lines for a person, at least one.
+    std::function<std::vector<std::string>(Listed what)> listed{};
     /// Shows the values over time; an empty list ends it.
     std::function<std::string(std::vector<Observed>)> plot{};
     /// Pauses the game after the step in which the condition becomes true. Without a condition:
@@ -53,7 +59,9 @@ struct ConsoleFunctions {
     std::function<void(Observed)> last_time{};
     /// Shows the last seconds twice: as they passed, and with that value of the property from their
     /// beginning on. Without a path: ends that.
-    std::function<void(const std::string& path, const property::Value& value, double seconds)> ab{};
+    std::function<std::string(const std::string& path, const property::Value& value,
+                              double seconds)>
+        ab{};
     /// Shows the present branch of the past and another one, and their differences; "" is the
     /// branch that was left last.
     std::function<void(const std::string& branch)> compare_branch{};
@@ -65,17 +73,21 @@ struct ConsoleFunctions {
     /// The names with their steps.
     std::function<std::vector<std::pair<std::string, std::int64_t>>()> bookmarks{};
     /// Shows these seconds of the past once more, as they were.
-    std::function<void(double seconds)> play_back{};
+    std::function<std::string(double seconds)> play_back{};
     /// Writes this moment of the game into a file; returns a message about the file.
     std::function<std::string(const std::string& file)> share{};
     /// Begins or ends a file with the recording of the run; returns a message about the file.
     std::function<std::string(bool on)> record{};
+    /// Lets the game go on after an error or a pause; returns an answer.
+    std::function<std::string()> go_on{};
     /// Begins the game again.
     std::function<void()> restart{};
     /// Runs the command when the key goes down; an empty command ends it.
     std::function<std::string(const std::string& key, const std::string& command)> bind{};
     /// The word stands for the command; an empty command ends it.
     std::function<std::string(const std::string& word, const std::string& command)> alias{};
+    /// The keys with their commands, and the words with what they stand for.
+    std::function<std::map<std::string, std::string>()> binds{}, aliases{};
     /// Runs the commands of a text after the present one, as if they were typed. Errors name the
     /// file.
     std::function<void(const std::string& file, const std::string& text)> exec{};
@@ -84,7 +96,7 @@ struct ConsoleFunctions {
     std::function<void(const std::string& kind)> export_plot{};
     /// The selected instances, `it` last; and selects others.
     std::function<std::vector<property::Handle>()> selection{};
-    std::function<void(const std::vector<property::Handle>&)> select{};
+    std::function<std::string(const std::vector<property::Handle>&)> select{};
 };
 
 }  // namespace fettle::script

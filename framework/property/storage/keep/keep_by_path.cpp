@@ -44,12 +44,18 @@ const Property* declared(const KeepRun& run, const std::string& home, const std:
 void apply_to_kept(KeepRun& run, const JournalRow& row) {
     const std::string home = run.row_paths.home(row);
     switch (row.kind) {
-        case Kind::value:
-            return run.state.kept.set(
-                unmarked(run, home), row.property, declared(run, home, row.property),
-                run.row_report.kept_image(row, run.row_paths), [&](const std::string& path) {
-                    return unmarked(run, run.row_paths.home_of_live(path));
-                });
+        case Kind::value: {
+            const Property* const property = declared(run, home, row.property);
+            const auto in_file = [&](const std::string& path) {
+                return unmarked(run, run.row_paths.home_of_live(path));
+            };
+            run.state.kept.set(unmarked(run, home), row.property, property,
+                               run.row_report.kept_image(row, run.row_paths), in_file);
+            if (row.run == 0 && run.state.entry_of(row).given)
+                run.state.kept.note_given(unmarked(run, home), row.property, property,
+                                          *run.state.entry_of(row).given, in_file);
+            return;
+        }
         case Kind::created:
             check_made(run.state, run.row_paths, row);
             require_free(run, home);

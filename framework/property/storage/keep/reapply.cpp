@@ -253,7 +253,11 @@ TweakReport Tweaks::State::reapply(std::string_view pattern) {
     }
     make_fresh_entries();
     for (const auto& [row, instance] : reapplying.applied())
-        if (Entry* entry = entry_about(*row, instance)) earlier.reapplied.emplace_back(row, entry);
+        if (Entry* entry = entry_about(*row, instance)) {
+            // What it became before, if that was undone, says nothing about it any more.
+            std::erase_if(earlier.reapplied, [&](const auto& each) { return each.first == row; });
+            earlier.reapplied.emplace_back(row, entry);
+        }
     return report;
 }
 

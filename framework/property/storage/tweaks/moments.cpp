@@ -124,7 +124,8 @@ void Tweaks::State::leave(Entry& its) {
                              its.row.kind == Kind::moved;
     if (of_instance && its.row.state == RowState::open && visible(its)) leave_behind(its);
     its.away = true;
-    if (its.row.kind == Kind::value && tree.alive(its.handle)) return;
+    // Also if its instance is made later: it has the path that it had then.
+    if (its.row.kind == Kind::value) return;
     const bool in_file = its.kept_version > 0 && tree.alive(its.handle) && attached(its.handle);
     if (its.row.kind == Kind::moved && in_file) {  // the file has the later name
         its.row.state = RowState::open;

@@ -1,6 +1,7 @@
 // Tweaks: from edits to entries. An entry is about a property, or about an instance that a person
 // created, deleted or moved. Further edits of the same object change its entry.
 
+#include <fettle/property/earlier_writer.h>
 #include <fettle/property/exception_text.h>
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/tweaks.h>
@@ -166,6 +167,16 @@ void Tweaks::State::note_origin(Entry& entry, Handle instance) const {
     entry.row.inside = steps_text(origin->steps);
 }
 
+/// Before the present edit.
+bool Tweaks::State::is_given_by_script(Handle instance, const Property& property) const {
+    const std::uint64_t step = tree.step();
+    // A value that derives from others is not simulated any more when a script sets it.
+    const bool moves = property.simulated && property.derives_from.empty();
+    if (step == 0 || moves || tree.find(instance, property.symbol) == nullptr) return false;
+    const Provenance written = last_writer_until(tree, instance, property, step - 1);
+    return written.known && written.cause.writer == Writer::script && written.cause.step == 0;
+}
+
 void Tweaks::State::edited(Handle instance, const Property& property, const CellState& before) {
     if (property.transient || !attached(instance)) return;
     settle();
@@ -180,6 +191,10 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
     if (begins) {
         its.was = its.in_file ? *its.in_file : image_of(tree, property, before);
         if (!its.in_file) name_deleted(its.was, before.value);
+        its.given.reset();
+        if (!its.in_file && its.was.kind == Image::Kind::value &&
+            is_given_by_script(instance, property))
+            its.given = its.was;
         note_origin(its, instance);
     }
     if (its.row.state == RowState::kept) its.was = its.now;  // the file contains that value

@@ -35,7 +35,10 @@ struct Tweaks::State : EditObserver {
         JournalRow row;
         std::int64_t version = 0;  // number of its last change, counted over all tweaks
         Image was, now;            // for a value
-        std::string scene;         // for a new or restored instance
+        // For a value: the one that a script gave when the game was loaded, if nothing has written
+        // another one before the edit.
+        std::optional<Image> given;
+        std::string scene;  // for a new or restored instance
         // For a new instance: the values of its scene when it was made, with later edits by people.
         // A scene written now would also contain changes by the simulation.
         SceneValues values;
@@ -161,6 +164,7 @@ struct Tweaks::State : EditObserver {
     /// A row of an earlier run was kept: the tweak of this run about the same value starts from it.
     void set_former_value(const JournalRow& row);
     void note_origin(Entry& entry, Handle instance) const;
+    bool is_given_by_script(Handle instance, const Property& property) const;
 
     // tweaks_commit.cpp: rows
     void barrier();

@@ -1,5 +1,7 @@
 // When an instance gets another name or parent, the paths in its kept tweaks are changed.
 
+#include <array>
+
 #include <fettle/property/path.h>
 
 #include <scenes/scene_edit.h>
@@ -86,15 +88,17 @@ void KeptTweaks::rename(const NewPath& now_at) {
 
 void KeptTweaks::rename_values(const NewPath& now_at) {
     // Values are added after all removals, because two instances may exchange their names.
-    std::vector<std::pair<std::string, std::string>> renamed;
+    std::vector<std::array<std::string, 3>> renamed;  // section, key, value
     for (const auto& [instance, values] : contents_.values)
         if (const auto now = now_at(instance))
             for (const Kept& kept : values) {
                 drop("values", kept.key);
-                renamed.emplace_back(*now + path_suffix(kept.property),
-                                     text_of("values", kept.key));
+                for (const char* section : {"values", "given"})
+                    if (member(section, kept.key) != nullptr)
+                        renamed.push_back({section, *now + path_suffix(kept.property),
+                                           text_of(section, kept.key)});
             }
-    for (const auto& [key, value] : renamed) put("values", key, value);
+    for (const auto& [section, key, value] : renamed) put(section, key, value);
 }
 
 std::vector<std::pair<std::string, std::string>> KeptTweaks::all_keys() const {

@@ -31,9 +31,20 @@ bool all_names(const std::vector<Segment>& segments) {
 }  // namespace
 
 KeptTweaks::KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file, Warn warn)
-    : tree_(tree), files_(files), file_(std::move(file)), warn_(std::move(warn)) {
+    : tree_(tree),
+      files_(files),
+      file_(std::move(file)),
+      warn_(std::move(warn)),
+      tree_life_(tree.lifetime()) {
     reload();
     if (!problem_.empty()) warn_(problem_ + "; the tweaks kept in this file are not applied");
+    // `compare_with_given` names the places in scripts.
+    if (document_ != nullptr && document_->member(document_->root(), "given") != nullptr)
+        located_ = std::make_unique<LocatedWrites>(tree_);
+}
+
+KeptTweaks::~KeptTweaks() {
+    if (tree_life_.expired()) (void)located_.release();  // it would change the tree
 }
 
 void KeptTweaks::reload() {
@@ -64,7 +75,7 @@ void KeptTweaks::read() {
                         "was written by a newer Fettle (version " +
                             std::to_string(version->integer) + " of the format)");
     static const std::vector<std::string> known = {std::string(version_of_tweaks), "values",
-                                                   "created", "deleted"};
+                                                   "given", "created", "deleted"};
     for (const Node* node = document_->first(root); node; node = document_->next(*node))
         if (const std::string& key = document_->key(*node);
             std::find(known.begin(), known.end(), key) == known.end())
@@ -103,6 +114,7 @@ KeptTweaks::Contents KeptTweaks::contents_of(const Document& document) {
                 path.size() == 1 ? "game" : joined_path(path, path.size() - 1);
             contents.values[instance].push_back({std::get<std::string>(path.back().key), key});
         }
+    (void)section("given", Document::Kind::object);
     if (const Node* created = section("created", Document::Kind::object))
         for (const Node* node = document.first(*created); node; node = document.next(*node)) {
             const std::string& key = document.key(*node);
@@ -140,6 +152,7 @@ std::string KeptTweaks::text_of(const std::string& section, const std::string& k
 
 void KeptTweaks::drop(const std::string& section, const std::string& key) {
     change(section, key, std::nullopt);
+    if (section == "values") change("given", key, std::nullopt);
 }
 
 void KeptTweaks::change(const std::string& section, const std::string& key,
@@ -208,6 +221,17 @@ void KeptTweaks::set(const std::string& instance, const std::string& property,
     if (image.kind == Image::Kind::by_default) return put("values", path, "null");
     check_value(path, declared, image);
     put("values", path, image_in_file(tree_, declared, image, written));
+    // The person knows the value that the script gives now, and wants another one again.
+    const auto now = given_now_.find(path);
+    if (now != given_now_.end() && member("given", path) != nullptr)
+        put("given", path, now->second.value);
+}
+
+void KeptTweaks::note_given(const std::string& instance, const std::string& property,
+                            const Property* declared, const Image& image, const NewPath& written) {
+    const std::string path = path_below(instance, property);
+    if (document_ != nullptr && member("values", path) != nullptr) return;
+    put("given", path, image_in_file(tree_, declared, image, written));
 }
 
 /// The value may come from a run with other classes, or be invalid.
@@ -242,7 +266,8 @@ void KeptTweaks::fold() {
     if (changes_.empty()) return;
     std::vector<Changes> changes = std::exchange(changes_, {});
     // The order of sections in the file must not depend on the order of changes.
-    static constexpr std::array<std::string_view, 3> sections{"values", "created", "deleted"};
+    static constexpr std::array<std::string_view, 4> sections{"values", "given", "created",
+                                                              "deleted"};
     const auto place = [](const Changes& each) {
         return std::find(sections.begin(), sections.end(), each.section);
     };

@@ -4,9 +4,12 @@
 //   {
 //     "fettle_tweaks": 1,
 //     "values": {"world.ball.mass": 5},
+//     "given": {"world.ball.mass": 2},
 //     "created": {"world.lamp": {a scene}},
 //     "deleted": ["world.wall"]
 //   }
+//
+// "given" has the values that scripts gave when others were kept in their places.
 
 #include <filesystem>
 #include <functional>
@@ -19,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include <fettle/property/located_writes.h>
 #include <fettle/property/path.h>
 #include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/scene.h>
@@ -39,6 +43,10 @@ class KeptTweaks {
     /// and is never written.
     KeptTweaks(Tree& tree, GameFiles& files, std::filesystem::path file, Warn warn);
 
+    ~KeptTweaks();
+    KeptTweaks(const KeptTweaks&) = delete;
+    KeptTweaks& operator=(const KeptTweaks&) = delete;
+
     const std::filesystem::path& file() const { return file_; }
     /// Finds the instance with a home path. Without this function, the path is used as it is.
     using Find = std::function<Handle(const std::string& home)>;
@@ -58,6 +66,10 @@ class KeptTweaks {
     /// not exist. `written`: as for `image_in_file`.
     void set(const std::string& instance, const std::string& property, const Property* declared,
              const Image& image, const NewPath& written);
+    /// Notes the value that a script gives, in whose place another one is kept. Later notes about
+    /// the same property change nothing.
+    void note_given(const std::string& instance, const std::string& property,
+                    const Property* declared, const Image& image, const NewPath& written);
     void add(const std::string& path, const std::string& scene);
     /// Returns, for each path, the removed entries for `put_back`.
     std::vector<std::string> remove(const std::vector<std::string>& paths);
@@ -106,6 +118,16 @@ class KeptTweaks {
     Handle instance(const std::string& home) const {
         return find_ ? find_(home) : instance_or_none(tree_, home);
     }
+    /// A value that a script has given before a kept one took its place, as it is in a file, and
+    /// for people.
+    struct Given {
+        std::string value{}, text{}, unit{}, place{};
+        Handle instance{};
+        Symbol property{};
+    };
+    std::string text_for_people(const Node& node, const Given& of) const;
+    void note_given_now(const Assignment& to);
+    void compare_with_given();
     bool assign(const Assignment& to, bool last);
     void assign_or_wait(Assignment to);
     void try_waiting(bool last);
@@ -169,6 +191,9 @@ class KeptTweaks {
     std::vector<Assignment> waiting_;           // until the instance that they refer to exists
     bool unwritten_ = false;                    // the document is newer than the file
     bool applied_ = false;                      // set by `apply_all`
+    std::map<std::string, Given> given_now_;    // in this run, by key
+    std::unique_ptr<LocatedWrites> located_;    // while the game is being loaded
+    std::weak_ptr<const Tree*> tree_life_;
 };
 
 }  // namespace fettle::property

@@ -37,11 +37,67 @@ const KeptTweaks::Node* KeptTweaks::member(std::string_view section, const std::
     return object == nullptr ? nullptr : document_->member(*object, key);
 }
 
+/// Notes what a script has written since the last kept value was assigned, for those with a value
+/// that scripts gave before.
+void KeptTweaks::note_given_now(const Assignment& to) {
+    if (document_ == nullptr || member("given", to.path) == nullptr) return;
+    const Property* const property = tree_.find(to.instance, to.property);
+    if (property == nullptr) return;
+    const Provenance written = tree_.last_writer(to.instance, *property);
+    if (written.known && written.cause.writer == Writer::load) return;
+    const Image image = image_now(tree_, to.instance, property->symbol, false);
+    Given& now = given_now_[to.path];
+    now = {};
+    if (image.kind != Image::Kind::value) return;
+    const Property* const declared = tree_.class_of(to.instance).property(to.property);
+    now = {.value = image_in_file(tree_, declared, image, {}),
+           .text = image.text,
+           .unit = property->unit.empty() ? "" : " " + property->unit,
+           .place = written.known ? written.cause.where : std::string(),
+           .instance = to.instance,
+           .property = property->symbol};
+}
+
+std::string KeptTweaks::text_for_people(const Node& node, const Given& of) const {
+    std::string raw(document_->raw(node));
+    const Property* const property = tree_.find(of.instance, of.property);
+    if (property == nullptr) return raw;
+    try {
+        if (const FormulaText formula = formula_text(*document_, node))
+            return "is " + document_->text(*formula.is);
+        const Value value =
+            read_value(*document_, node, declared_type(*property), property->element,
+                       [&](const std::string&, const Node&) -> Handle {
+                           throw Error(ErrorKind::unknown_name, raw);
+                       });
+        return tree_.text(value, property->precision());
+    } catch (const Error&) {
+        return raw;
+    }
+}
+
+/// A person who has kept a value should know that the script gives another one meanwhile: the kept
+/// value hides it.
+void KeptTweaks::compare_with_given() {
+    for (const auto& [key, now] : given_now_) {
+        const Node* const given = member("given", key);
+        const Node* const kept = member("values", key);
+        if (given == nullptr || kept == nullptr || now.value.empty()) continue;
+        const std::string before(document_->raw(*given));
+        if (before == now.value) continue;
+        warn_((now.place.empty() ? std::string("a script") : now.place) + " now gives " + key +
+              " " + now.text + now.unit + "; it gave " + text_for_people(*given, now) + " when " +
+              text_for_people(*kept, now) + " was kept, which " + file_.filename().string() + ":" +
+              std::to_string(document_->line(kept->begin)) + " still sets");
+    }
+}
+
 /// Assigns the value. False if it refers to an instance that does not exist; if `last`, that is
 /// reported.
 bool KeptTweaks::assign(const Assignment& to, bool last) {
     const Document& document = *to.document;
     const Node& node = *to.node;
+    if (!applied_) note_given_now(to);
     std::function<std::string()> locate = [&] {
         return file_.filename().string() + ":" + std::to_string(document.line(node.begin));
     };
@@ -215,10 +271,12 @@ void KeptTweaks::apply_all() {
             warn(node->begin, path + ": " + error.what());
         }
     }
-    applied_ = true;
     waiting_.clear();  // they are added again
     create_all();
     apply_values(tree_.root());
+    applied_ = true;
+    compare_with_given();
+    located_.reset();
     try_waiting(true);
     report_unused_values();
     run_formulas();
