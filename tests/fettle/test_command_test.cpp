@@ -241,8 +241,8 @@ end)
     INFO(run.out << run.err);
     CHECK(run.status == 1);
     CHECK(contains(run.err,
-                   "tests/ball.lua: ends: the game ended the process: a native module "
-                   "called exit()"));
+                   "tests/ball.lua: ends: the process was ended: a native module or a "
+                   "library called exit()"));
 }
 
 TEST_CASE("a test that never ends is stopped") {
