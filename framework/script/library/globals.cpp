@@ -16,6 +16,7 @@
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
+#include <objects/variable_hints.h>
 #include <reference/language.h>
 #include <sandbox/sandbox.h>
 #include <text/bare_words.h>
@@ -143,9 +144,11 @@ std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
         return hint;
     if (std::string hint = hint_of_unfinished_class(machine.classes, name); !hint.empty())
         return hint;
+    if (std::string hint = hint_of_self(L, machine, name); !hint.empty()) return hint;
     const std::string line = reading_line(L);
     if (std::string hint = bare_word_hint(machine.tree, line, name); !hint.empty()) return hint;
     if (std::string hint = hint_for_color(line, find_word(line, name)); !hint.empty()) return hint;
+    if (std::string hint = hint_of_later_line(L, machine, name); !hint.empty()) return hint;
     if (std::string hint = hint_for_name(name); !hint.empty()) return hint;
     if (std::string hint = hint_for_class(name); !hint.empty()) return hint;
     // At the console, where people write what they see on the screen.
@@ -229,7 +232,9 @@ int write_global(lua_State* L) {
         lua_pushvalue(L, 2);
         if (lua_rawget(L, 4) == LUA_TNIL) {
             machine.globals.assigned.emplace_back(name);
-            if (const int of = lua_type(L, 3); of == LUA_TNUMBER || of == LUA_TSTRING)
+            if (const std::string hint = hint_of_self(L, machine, name, true); !hint.empty())
+                machine.hints.variable_hides_property(name, hint);
+            else if (const int of = lua_type(L, 3); of == LUA_TNUMBER || of == LUA_TSTRING)
                 machine.hints.variable_added(name, to_value(L, 3));
             // gravity = 0: nothing that is seen changes.
             if (machine.hints.begins_command(name))

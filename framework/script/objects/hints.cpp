@@ -204,6 +204,20 @@ void Hints::variable_added(std::string_view name, const property::Value& value) 
                " is a new variable and not a state (did you mean \"" + meant->first + "\"?)");
 }
 
+void Hints::variable_hides_property(std::string_view name, const std::string& hint) {
+    report("variable " + std::string(name),
+           position(machine_.lua.running) + std::string(name) +
+               " is a new variable of the whole game and no property" + hint);
+}
+
+void Hints::angle_given(const Class& of, const Property& property, double angle) {
+    if (machine_.recording.active || !looks_like_degrees(property, angle)) return;
+    const std::string number = property::number_text(angle);
+    report("angle " + of.name() + "." + property.name,
+           position(machine_.lua.running) + of.name() + "." + property.name + " = " + number +
+               " is in radians; for degrees write deg(" + number + ")");
+}
+
 void Hints::stated(const std::string& name, const std::string& problem) {
     report("state " + name, position(machine_.lua.running) + problem);
 }

@@ -6,6 +6,7 @@
 #include <fettle/script/runtime.h>
 
 #include <lua/machine.h>
+#include <objects/hints.h>
 #include <reference/language.h>
 #include <text/words.h>
 #include <values/declarations.h>
@@ -89,6 +90,8 @@ void assign_property(Machine& machine, Handle instance, const Property& property
 void write_property(Machine& machine, Handle instance, const Property& property,
                     const Value& value) {
     note_drawn_change(machine, instance, property.name);
+    if (value.is_numeric())
+        machine.hints.angle_given(machine.tree.class_of(instance), property, value.as_double());
     Declarations& declarations = machine.declarations;
     if (!declarations.active()) {
         recorded(machine, instance, property,
