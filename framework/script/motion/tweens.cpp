@@ -9,7 +9,7 @@
 #include <motion/ease.h>
 #include <motion/interpolation.h>
 #include <motion/tweens.h>
-#include <objects/hints.h>
+#include <values/degree_notes.h>
 
 namespace fettle::script {
 
@@ -115,8 +115,8 @@ Handle Tweens::add(const Plan& plan) {
     Tree& tree = machine_.tree;
     const Value to = require_possible(plan.target, plan.property, {}, end_of(plan), "tween");
     if (to.is_numeric())
-        machine_.hints.angle_given(tree.class_of(plan.target),
-                                   tree.property(plan.target, plan.property), to.as_double());
+        note_degrees(machine_, plan.target, tree.property(plan.target, plan.property),
+                     to.as_double());
     const Handle made = make(classes_.tween);
     tree.set(made, classes_.target, plan.target);
     tree.set(made, classes_.property, plan.property);

@@ -39,6 +39,7 @@ void Hints::forget() {
     given_.clear();
     checked_.clear();
     machine_.recording.drawn_changes.clear();
+    machine_.recording.degrees.clear();
 }
 
 // --- Properties
@@ -208,14 +209,6 @@ void Hints::variable_hides_property(std::string_view name, const std::string& hi
     report("variable " + std::string(name),
            position(machine_.lua.running) + std::string(name) +
                " is a new variable of the whole game and no property" + hint);
-}
-
-void Hints::angle_given(const Class& of, const Property& property, double angle) {
-    if (machine_.recording.active || !looks_like_degrees(property, angle)) return;
-    const std::string number = property::number_text(angle);
-    report("angle " + of.name() + "." + property.name,
-           position(machine_.lua.running) + of.name() + "." + property.name + " = " + number +
-               " is in radians; for degrees write deg(" + number + ")");
 }
 
 void Hints::stated(const std::string& name, const std::string& problem) {

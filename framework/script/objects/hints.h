@@ -2,7 +2,6 @@
 // Notes for users of other engines. Scripts may add any properties and functions, so such code is
 // not an error, but it has no effect and was probably meant to have one. Each note is given once.
 
-#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
@@ -15,12 +14,6 @@
 namespace fettle::script {
 
 struct Machine;
-
-/// Whether a value of the property was probably meant in degrees: 15, 90, -45, but not 1.5.
-inline bool looks_like_degrees(const property::Property& property, double value) {
-    return std::abs(value) >= 15 && std::abs(value) <= 3600 && property.unit == "rad" &&
-           std::fmod(value, 5) == 0;
-}
 
 class Hints {
   public:
@@ -63,8 +56,6 @@ class Hints {
     /// To be called when a method assigns a new global variable with the name of a property of its
     /// instance. `hint`: what was probably meant.
     void variable_hides_property(std::string_view name, const std::string& hint);
-    /// To be called when a script gives an angle: gives a note if it is a usual number of degrees.
-    void angle_given(const property::Class& of, const property::Property& property, double angle);
     /// To be called when `state` finds a value of another type.
     void stated(const std::string& name, const std::string& problem);
     /// To be called before a game is loaded: forgets all given notes.

@@ -20,6 +20,7 @@
 #include <text/synonyms.h>
 #include <text/words.h>
 #include <values/declarations.h>
+#include <values/degree_notes.h>
 #include <values/members.h>
 #include <values/recording.h>
 #include <values/short_text.h>

@@ -6,10 +6,10 @@
 #include <fettle/script/runtime.h>
 
 #include <lua/machine.h>
-#include <objects/hints.h>
 #include <reference/language.h>
 #include <text/words.h>
 #include <values/declarations.h>
+#include <values/degree_notes.h>
 #include <values/drawn_changes.h>
 #include <values/moved_lists.h>
 #include <values/recording.h>
@@ -90,8 +90,7 @@ void assign_property(Machine& machine, Handle instance, const Property& property
 void write_property(Machine& machine, Handle instance, const Property& property,
                     const Value& value) {
     note_drawn_change(machine, instance, property.name);
-    if (value.is_numeric())
-        machine.hints.angle_given(machine.tree.class_of(instance), property, value.as_double());
+    if (value.is_numeric()) note_degrees(machine, instance, property, value.as_double());
     Declarations& declarations = machine.declarations;
     if (!declarations.active()) {
         recorded(machine, instance, property,
