@@ -23,6 +23,7 @@
 #include <text/foreign_classes.h>
 #include <text/other_languages.h>
 #include <text/words.h>
+#include <values/declarations.h>
 #include <values/recording.h>
 #include <values/values.h>
 #include <values/writes.h>
@@ -126,6 +127,17 @@ std::string former_child_text(const Machine& machine, std::string_view name) {
     return {};
 }
 
+/// A reload runs code such as world:delete() again, when the game has no `world` any more.
+Handle stand_in_for_deleted(Machine& machine, std::string_view name) {
+    const property::Tree& tree = machine.tree;
+    if (!machine.declarations.reloading()) return {};
+    for (const auto& [was, child] : machine.globals.first_children)
+        if (const auto remains = tree.deleted_info(child);
+            was == name && !tree.alive(child) && remains && remains->of.creatable())
+            return machine.declarations.stand_in(remains->of, name);
+    return {};
+}
+
 /// The line of the script that reads a name.
 std::string reading_line(lua_State* L) {
     lua_Debug frame;
@@ -183,6 +195,10 @@ int read_global(lua_State* L) {
     if (among(callback_names(), name)) {
         if (machine.recording.active) machine.recording.missing = name;
         lua_pushnil(L);
+        return 1;
+    }
+    if (const Handle stand_in = stand_in_for_deleted(machine, name)) {
+        push_instance(L, stand_in);
         return 1;
     }
     const std::string former = former_child_text(machine, name);
