@@ -139,6 +139,10 @@ TEST_CASE("an error says what beginners probably meant") {
         {"Slider { range = { 0, 1 } }", "did you mean max?"},
         {"world.b = Body {} print(world.b.speed)", "did you mean \"velocity\"?"},
         {"function step() return input.mouse.pressed end", "did you mean \"left\"?"},
+        {"print(view:to_world(100, 100))", "takes 1 argument: to_world(pixels) (write vec(x, y))"},
+        {"for _, c in ipairs(world.children) do end",
+         "needs a list (write brackets after a function, as in world:children()), not a function"},
+        {"local t = { a: 1 }", "(write key = value in a table)"},
         {"world.f = Body { type = 'static', Box {} } world.b = Body { Box {} } "
          "world.b:on('contact_begin', function(c) print(c.body) end)",
          "body: no such field (did you mean \"other\"?)"},

@@ -317,6 +317,9 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
         is_word_of_lua(word_at(line, column)))
         return " (" + std::string(word_at(line, column)) + " is a word of Lua and no name)";
     if (says("')' expected near '='")) return hint_to_write("Body { key = value } with braces");
+    if (says("<name> expected near") && trimmed(line.substr(0, column)).ends_with(':') &&
+        line.substr(0, column).find('{') != std::string_view::npos)
+        return hint_to_write("key = value in a table");
     if (says("')' expected near ','")) return hint_to_write("vec(x, y)");
     if (says("function arguments expected near '='")) return hint_to_write("a.b = value");
     if (says("syntax error near 'is'")) return hint_for_is(line, column, in_file);
