@@ -166,6 +166,9 @@ TEST_CASE("code that does something else than it seems to do is noted once") {
         {"Ball = class('Ball', Body) { lives = 3 } function Ball:ready() lives = 5 end "
          "world.b = Ball { Circle {} }",
          "lives is a new variable of the whole game and no property (did you mean self.lives?)"},
+        {"local n = 0 game.t = Text { text = formula(function() return 'n ' .. n end) } "
+         "function step() n = n + 1 end",
+         "t.text: its formula reads no property, so it is not computed again: "},
         {"local score = 0 state('score', 10)", "a local variable of the same name hides it"},
     }));
     INFO(code);
@@ -184,6 +187,8 @@ TEST_CASE("usual code is not noted") {
         "world.b = Body { Box {} } world.b.angular_velocity = 90 view.height = 90",
         "Ball = class('Ball', Body) { lives = 3 } function Ball:ready() local lives = 5 best = 5 "
         "end world.b = Ball { Circle {} }",
+        "local g, t = game, time t.paused = false "
+        "game.t = Text { text = formula(function() return 'at ' .. t.now end) }",
         "state('score', 10) local function f() local score = 1 end f()");
     INFO(code);
     const Outcome run = run_script(folder, code, 3);

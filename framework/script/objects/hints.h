@@ -74,6 +74,7 @@ class Hints {
     void check_keys();
     void check_dropped();
     void check_held();
+    void check_formulas();
     std::map<std::string, std::string_view> files() const;
     bool is_called(const std::string& name) const;
 
