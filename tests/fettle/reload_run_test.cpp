@@ -261,4 +261,54 @@ TEST_CASE("a run without the option and a recorded run do not reload changed fil
     CHECK_FALSE(contains(end.err, "reloaded"));
 }
 
+TEST_CASE("a game that deletes the world at its top level is loaded again while it runs") {
+    Run run;
+    run.folder.write("game/game.json", R"({"id": "org.example.no-world"})");
+    const std::string top =
+        "world.gravity = vec(0, -3) world.old = Body { Circle { } } world:delete() ";
+    run.folder.write("game/main.lua",
+                     top +
+                         "game.place = World { gravity = vec(0, -4) } "
+                         "after(1, function() scene.save('begun.json', Object { }) end)");
+    RunningProgram program = run.begin();
+    REQUIRE(program.makes("game/begun.json"));
+    run.folder.write("game/main.lua",
+                     top +
+                         "game.place = World { gravity = vec(0, -5) } "
+                         "function reloaded() store.world = game:has('world') "
+                         "store.worlds = #game:find(World) store.bodies = #game:find(Body) "
+                         "store.gravity = game.place.gravity.y quit() end");
+    const auto end = program.end();
+    INFO(end.out << end.err);
+    CHECK(end.status == 0);
+    const std::string store =
+        run.folder.text("user data/fettle/games/org.example.no-world/store.json");
+    CHECK(contains(store, "\"world\": false"));
+    CHECK(contains(store, "\"worlds\": 1"));
+    CHECK(contains(store, "\"bodies\": 0"));
+    CHECK(contains(store, "\"gravity\": -5"));
+}
+
+TEST_CASE(
+    "values for a world that the game has deleted since its start have no effect in a reload") {
+    Run run;
+    run.folder.write("game/game.json", R"({"id": "org.example.gone"})");
+    run.folder.write(
+        "game/main.lua",
+        "world.gravity = vec(0, -3) "
+        "after(1, function() world:delete() scene.save('begun.json', Object { }) end)");
+    RunningProgram program = run.begin();
+    REQUIRE(program.makes("game/begun.json"));
+    run.folder.write("game/main.lua",
+                     "world.gravity = vec(0, -5) world.ball = Body { Circle { } } "
+                     "function reloaded() store.world = game:has('world') "
+                     "store.bodies = #game:find(Body) quit() end");
+    const auto end = program.end();
+    INFO(end.out << end.err);
+    CHECK(end.status == 0);
+    const std::string store = run.folder.text("user data/fettle/games/org.example.gone/store.json");
+    CHECK(contains(store, "\"world\": false"));
+    CHECK(contains(store, "\"bodies\": 0"));
+}
+
 }  // namespace reload_run_test

@@ -166,7 +166,8 @@ class DescriptorCheck {
                        "text of help, and nothing else");
         if (inherited.read_only || inherited.binding.kind == BindingKind::node)
             refuse(ErrorKind::read_only, member,
-                   inherited.owner->name() + " declares it as a value that has no default");
+                   "every " + inherited.owner->name() +
+                       " has it already, as a value that has no default; use another name");
     }
 
     template <class Enum>

@@ -53,6 +53,19 @@ void refuse_loose_components(const Method& method, std::span<const Value> argume
 
 }  // namespace
 
+namespace {
+
+/// " (position, radius, impulse?)": a question mark stands after what may be missing.
+std::string names_of(const Method& method) {
+    std::string text;
+    for (std::size_t i = 0; i < method.parameters.size(); ++i)
+        text +=
+            (i == 0 ? " (" : ", ") + method.parameters[i].name + (i < method.required ? "" : "?");
+    return text.empty() ? text : text + ")";
+}
+
+}  // namespace
+
 Result Tree::call(Handle instance, const Method& method, std::span<const Value> arguments) {
     State& s = *state_;
     s.instances.require_method(instance, method);
@@ -69,7 +82,7 @@ Result Tree::call(Handle instance, const Method& method, std::span<const Value> 
                              : " to " + std::to_string(method.parameters.size())) +
                         (method.parameters.size() == 1 && method.required == 1 ? " argument"
                                                                                : " arguments") +
-                        ", got " + std::to_string(arguments.size()));
+                        ", got " + std::to_string(arguments.size()) + names_of(method));
     std::vector<Value> coerced(method.parameters.size());
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const Field& parameter = method.parameters[i];

@@ -165,6 +165,16 @@ std::string nearest_function(lua_State* L, const ScriptError& error) {
     return property::suggestion(name, names);
 }
 
+/// For a method that was called without its instance.
+std::string hint_for_missing_self(lua_State* L, int level, std::string_view message) {
+    if (std::string hint = colon_hint(L, level); !hint.empty()) return hint;
+    lua_Debug caller;
+    const bool by_lua = lua_getstack(L, level + 1, &caller) != 0 &&
+                        lua_getinfo(L, "S", &caller) != 0 && caller.what[0] != 'C';
+    if (by_lua || message.find("a nil value (local 'self')") == std::string_view::npos) return {};
+    return " (nothing is given as self here: write self:after(...), or function() self:name() end)";
+}
+
 }  // namespace
 
 std::string error_text(lua_State* L, int index) {
@@ -210,7 +220,7 @@ void complete_message(lua_State* L, lua_State* from, int level) {
     if (!by_lua)
         completed += dot_hint(L, level);
     else if (error.message.find("(local 'self')") != std::string::npos)
-        completed += colon_hint(L, level);
+        completed += hint_for_missing_self(L, level, error.message);
     if (completed == error.message) return;
     lua_pop(from, 1);
     push_text(from, completed);

@@ -16,12 +16,14 @@
 #include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
+#include <objects/variable_hints.h>
 #include <reference/language.h>
 #include <sandbox/sandbox.h>
 #include <text/bare_words.h>
 #include <text/foreign_classes.h>
 #include <text/other_languages.h>
 #include <text/words.h>
+#include <values/declarations.h>
 #include <values/recording.h>
 #include <values/values.h>
 #include <values/writes.h>
@@ -125,6 +127,17 @@ std::string former_child_text(const Machine& machine, std::string_view name) {
     return {};
 }
 
+/// A reload runs code such as world:delete() again, when the game has no `world` any more.
+Handle stand_in_for_deleted(Machine& machine, std::string_view name) {
+    const property::Tree& tree = machine.tree;
+    if (!machine.declarations.reloading()) return {};
+    for (const auto& [was, child] : machine.globals.first_children)
+        if (const auto remains = tree.deleted_info(child);
+            was == name && !tree.alive(child) && remains && remains->of.creatable())
+            return machine.declarations.stand_in(remains->of, name);
+    return {};
+}
+
 /// The line of the script that reads a name.
 std::string reading_line(lua_State* L) {
     lua_Debug frame;
@@ -143,9 +156,11 @@ std::string hint_for(lua_State* L, Machine& machine, std::string_view name) {
         return hint;
     if (std::string hint = hint_of_unfinished_class(machine.classes, name); !hint.empty())
         return hint;
+    if (std::string hint = hint_of_self(L, machine, name); !hint.empty()) return hint;
     const std::string line = reading_line(L);
     if (std::string hint = bare_word_hint(machine.tree, line, name); !hint.empty()) return hint;
     if (std::string hint = hint_for_color(line, find_word(line, name)); !hint.empty()) return hint;
+    if (std::string hint = hint_of_later_line(L, machine, name); !hint.empty()) return hint;
     if (std::string hint = hint_for_name(name); !hint.empty()) return hint;
     if (std::string hint = hint_for_class(name); !hint.empty()) return hint;
     // At the console, where people write what they see on the screen.
@@ -180,6 +195,10 @@ int read_global(lua_State* L) {
     if (among(callback_names(), name)) {
         if (machine.recording.active) machine.recording.missing = name;
         lua_pushnil(L);
+        return 1;
+    }
+    if (const Handle stand_in = stand_in_for_deleted(machine, name)) {
+        push_instance(L, stand_in);
         return 1;
     }
     const std::string former = former_child_text(machine, name);
@@ -229,7 +248,9 @@ int write_global(lua_State* L) {
         lua_pushvalue(L, 2);
         if (lua_rawget(L, 4) == LUA_TNIL) {
             machine.globals.assigned.emplace_back(name);
-            if (const int of = lua_type(L, 3); of == LUA_TNUMBER || of == LUA_TSTRING)
+            if (const std::string hint = hint_of_self(L, machine, name, true); !hint.empty())
+                machine.hints.variable_hides_property(name, hint);
+            else if (const int of = lua_type(L, 3); of == LUA_TNUMBER || of == LUA_TSTRING)
                 machine.hints.variable_added(name, to_value(L, 3));
             // gravity = 0: nothing that is seen changes.
             if (machine.hints.begins_command(name))

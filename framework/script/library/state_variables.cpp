@@ -10,6 +10,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
+#include <objects/variable_hints.h>
 #include <reference/language.h>
 #include <text/words.h>
 #include <values/values.h>
@@ -50,6 +51,10 @@ int state(lua_State* L) {
         throw Error(ErrorKind::wrong_type, "state: \"" + name +
                                                "\" needs a value to begin with, as in state(\"" +
                                                name + "\", 0)");
+    if (has_local(L, name))
+        machine.hints.stated(name, "state(\"" + name +
+                                       "\", ...): a local variable of the same "
+                                       "name hides it; remove the local one");
     const Handle game = machine.tree.root();
     const Value first = to_value(L, 2, [&] { return "state: " + name; });
     machine.globals.stated[name] = first;

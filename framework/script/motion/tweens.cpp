@@ -9,6 +9,7 @@
 #include <motion/ease.h>
 #include <motion/interpolation.h>
 #include <motion/tweens.h>
+#include <values/degree_notes.h>
 
 namespace fettle::script {
 
@@ -113,6 +114,9 @@ Value Tweens::end_of(const Plan& plan) const {
 Handle Tweens::add(const Plan& plan) {
     Tree& tree = machine_.tree;
     const Value to = require_possible(plan.target, plan.property, {}, end_of(plan), "tween");
+    if (to.is_numeric())
+        note_degrees(machine_, plan.target, tree.property(plan.target, plan.property),
+                     to.as_double());
     const Handle made = make(classes_.tween);
     tree.set(made, classes_.target, plan.target);
     tree.set(made, classes_.property, plan.property);

@@ -24,6 +24,7 @@
 #include <objects/instance.h>
 #include <objects/methods.h>
 #include <reference/language.h>
+#include <text/synonyms.h>
 #include <values/declarations.h>
 #include <values/recording.h>
 #include <values/values.h>
@@ -158,9 +159,12 @@ std::string hint_at_shapes(const property::Tree& tree, const Class& of, const st
     const Class* const body = tree.find_class("Body");
     const Class* const shape = tree.find_class("Shape");
     if (body == nullptr || shape == nullptr || !of.is_a(*body)) return {};
-    for (const Class* each : tree.classes())
-        if (each->is_a(*shape) && each->creatable() && each->property(name) != nullptr)
-            return "; its shapes have it, as in " + each->name() + " { " + name + " = ... }";
+    std::vector<std::string> names = {name};
+    for (const std::string_view meant : property_synonyms(name)) names.emplace_back(meant);
+    for (const std::string& wanted : names)
+        for (const Class* each : tree.classes())
+            if (each->is_a(*shape) && each->creatable() && each->property(wanted) != nullptr)
+                return "; its shapes have it, as in " + each->name() + " { " + wanted + " = ... }";
     return {};
 }
 

@@ -39,6 +39,7 @@ void Hints::forget() {
     given_.clear();
     checked_.clear();
     machine_.recording.drawn_changes.clear();
+    machine_.recording.degrees.clear();
 }
 
 // --- Properties
@@ -202,6 +203,12 @@ void Hints::variable_added(std::string_view name, const property::Value& value) 
     report("variable " + std::string(name),
            position(machine_.lua.running) + std::string(name) +
                " is a new variable and not a state (did you mean \"" + meant->first + "\"?)");
+}
+
+void Hints::variable_hides_property(std::string_view name, const std::string& hint) {
+    report("variable " + std::string(name),
+           position(machine_.lua.running) + std::string(name) +
+               " is a new variable of the whole game and no property" + hint);
 }
 
 void Hints::stated(const std::string& name, const std::string& problem) {

@@ -53,6 +53,9 @@ class Hints {
     /// To be called when a script assigns a new global variable: gives a note if the name is nearly
     /// that of a state whose value has the same type.
     void variable_added(std::string_view name, const property::Value& value);
+    /// To be called when a method assigns a new global variable with the name of a property of its
+    /// instance. `hint`: what was probably meant.
+    void variable_hides_property(std::string_view name, const std::string& hint);
     /// To be called when `state` finds a value of another type.
     void stated(const std::string& name, const std::string& problem);
     /// To be called before a game is loaded: forgets all given notes.
@@ -71,6 +74,7 @@ class Hints {
     void check_keys();
     void check_dropped();
     void check_held();
+    void check_formulas();
     std::map<std::string, std::string_view> files() const;
     bool is_called(const std::string& name) const;
 

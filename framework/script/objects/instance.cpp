@@ -20,6 +20,7 @@
 #include <text/synonyms.h>
 #include <text/words.h>
 #include <values/declarations.h>
+#include <values/degree_notes.h>
 #include <values/members.h>
 #include <values/recording.h>
 #include <values/short_text.h>
@@ -220,8 +221,10 @@ int instance_index(lua_State* L) {
 /// Writes a number to a number or a vector to a vector without creating a Value, if the tree
 /// supports it.
 bool write_typed(lua_State* L, property::Tree& tree, Handle instance, const Property& property) {
-    if (property.type == Type::number && lua_type(L, 3) == LUA_TNUMBER)
-        return tree.write(instance, property, static_cast<double>(lua_tonumber(L, 3)));
+    if (property.type == Type::number && lua_type(L, 3) == LUA_TNUMBER) {
+        const double value = lua_tonumber(L, 3);
+        return !looks_like_degrees(property, value) && tree.write(instance, property, value);
+    }
     const VecBox* vec = property.type == Type::vec2 ? vec_at(L, 3) : nullptr;
     return vec != nullptr && tree.write(instance, property, Vec2(vec->x, vec->y));
 }

@@ -250,6 +250,31 @@ void Hints::check_held() {
     }
 }
 
+/// A formula that reads local variables and no property is computed once and never again.
+void Hints::check_formulas() {
+    constexpr int most = 2000;  // instances that are looked at
+    const property::Tree& tree = machine_.tree;
+    if (tree.formula_count() == 0) return;
+    int looked_at = 0;
+    tree.each_below(tree.root(), [&](Handle each) {
+        if (++looked_at > most) return;
+        for (const Property* property : tree.properties(each)) {
+            const property::Formula* const formula = tree.formula(each, *property);
+            if (formula == nullptr || formula->not_saved.empty()) continue;
+            const std::string reason = formula->not_saved;
+            if (!tree.problem(each, *property).empty() || !tree.why(each, *property).from.empty())
+                continue;
+            const std::string path = tree.path(each, *property);
+            report("formula " + path, path +
+                                          ": its formula reads no property, so it is not "
+                                          "computed again: " +
+                                          reason +
+                                          "; state(\"name\", value) declares a variable whose "
+                                          "changes are noticed");
+        }
+    });
+}
+
 void Hints::game_loaded() {
     lua_State* L = machine_.lua.main;
     if (!lua_checkstack(L, 10)) return;
@@ -263,6 +288,7 @@ void Hints::game_loaded() {
     check_keys();
     check_dropped();
     check_held();
+    check_formulas();
 }
 
 }  // namespace fettle::script

@@ -100,10 +100,15 @@ void read_arguments(lua_State* L, Machine& machine, const Method& method, Handle
     const auto path = [&] { return machine.tree.path(self); };
     if (are_named(L, method)) put_in_order(L, path(), method);
     arguments.count = static_cast<std::size_t>(lua_gettop(L) - 1);
-    if (arguments.count > std::min(max_parameters, method.parameters.size()))
-        throw Error(ErrorKind::wrong_type, path() + ":" + method.name + ": takes " +
-                                               std::to_string(method.parameters.size()) +
-                                               " arguments: " + signature(method));
+    const std::size_t most = method.parameters.size();
+    if (arguments.count > std::min(max_parameters, most)) {
+        const bool loose = most > 0 && method.parameters.front().type == Type::vec2 &&
+                           lua_type(L, 2) == LUA_TNUMBER && lua_type(L, 3) == LUA_TNUMBER;
+        throw Error(ErrorKind::wrong_type,
+                    path() + ":" + method.name + ": takes " + std::to_string(most) +
+                        (most == 1 ? " argument: " : " arguments: ") + signature(method) +
+                        (loose ? " (write vec(x, y))" : ""));
+    }
     for (std::size_t i = 0; i < arguments.count; ++i) {
         const int index = static_cast<int>(i) + 2;
         const std::string& parameter = method.parameters[i].name;

@@ -106,6 +106,7 @@ Handle Merge::living(const Declared& before, Handle parent, const std::string& n
 }
 
 void Merge::match(Handle made, Handle parent, const std::string& name) {
+    if (machine_.declarations.is_stand_in(made)) return mark_deleted(made);
     parent = result_of(parent);
     const auto entry = next_by_handle_.find(made.key());
     const std::string path = entry == next_by_handle_.end() ? "" : entry->second->path;

@@ -223,7 +223,11 @@ int ipairs(lua_State* L) {
     const int type = lua_type(L, 1);
     if (type != LUA_TTABLE &&
         (type == LUA_TSTRING || luaL_getmetafield(L, 1, "__index") == LUA_TNIL))
-        refuse_type(L, 1, "ipairs: needs a list");
+        refuse_type(L, 1,
+                    type == LUA_TFUNCTION
+                        ? "ipairs: needs a list (write brackets after a function, "
+                          "as in world:children())"
+                        : "ipairs: needs a list");
     lua_settop(L, 1);
     return call_original(L);
 }

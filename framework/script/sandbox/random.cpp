@@ -72,6 +72,8 @@ int random_number(lua_State* L) {
         lua_pushinteger(L, random.between(low, high));
         return 1;
     }
+    if (lua_istable(L, 1))
+        throw std::invalid_argument("random: needs numbers (write list[random(#list)])");
     const double low = given == 1 ? 0 : check_number(L, 1, "random");
     const double high = check_number(L, last, "random");
     if (!(low <= high) || std::isinf(low) || std::isinf(high))

@@ -35,6 +35,7 @@ constexpr Foreign foreign_names[] = {
     {"requestAnimationFrame", "function update(dt) ... end"},
     {"addEventListener", "function key_pressed(key) ... end"},
     {"workspace", "world"},
+    {"camera cam", "view"},
     {"task", "after(seconds, action)"},
     {"setTimeout delay schedule invoke sleep", "after(seconds, action)"},
     {"setInterval", "every(seconds, action)"},
@@ -53,6 +54,7 @@ constexpr Foreign foreign_functions[] = {
     {"pow", "a ^ b"},
     {"mod", "a % b"},
     {"getn maxn", "#list"},
+    {"insert push append", "table.insert(list, value)"},
     {"foreach foreachi", "for key, value in pairs(t) do ... end"},
     {"gfind", "string.gmatch(text, pattern)"},
     {"log10", "math.log(x, 10)"},
@@ -169,6 +171,31 @@ std::string hint_for_name(std::string_view name) {
     return hint_to_write(here.empty() ? in_place_of(foreign_functions, name) : here);
 }
 
+namespace {
+
+std::string hint_for_comparison(std::string_view message) {
+    if (message.find("attempt to compare ") == std::string_view::npos) return {};
+    const auto says = [&](std::string_view part) {
+        return message.find(part) != std::string_view::npos;
+    };
+    if (says("two vec values")) return hint_to_write("a:length() < b:length(), or a.x < b.x");
+    if (says("function")) return hint_to_write("brackets after a function, as in v:length()");
+    if (says("number with string") || says("string with number"))
+        return hint_to_write("tonumber(text) for a number that is a text");
+    return {};
+}
+
+/// For a list or a table without an element of that number.
+std::string hint_for_element(std::string_view message) {
+    if (message.find("on a nil value (field '?')") != std::string_view::npos ||
+        message.find("index a nil value (field '?')") != std::string_view::npos ||
+        message.find("(field 'integer index')") != std::string_view::npos)
+        return " (there is no such element; the first one of a list has the number 1)";
+    return {};
+}
+
+}  // namespace
+
 std::string hint_for_value(std::string_view message) {
     const auto name_after = [message](std::string_view beginning) {
         const std::size_t at = message.find(beginning);
@@ -209,6 +236,17 @@ std::string hint_for_value(std::string_view message) {
     if (message.find("attempt to concatenate a vec value") != std::string_view::npos ||
         message.find("attempt to concatenate a instance value") != std::string_view::npos)
         return hint_to_write("tostring(it) to join it to a text");
+    if (message.find("attempt to concatenate a boolean value") != std::string_view::npos)
+        return hint_to_write("tostring(it) to join it to a text");
+    if (std::string hint = hint_for_comparison(message); !hint.empty()) return hint;
+    if (std::string hint = hint_for_element(message); !hint.empty()) return hint;
+    if (message.find("number has no integer representation") != std::string_view::npos &&
+        message.find("'format'") != std::string_view::npos)
+        return hint_to_write("%.0f in place of %d, which takes whole numbers only");
+    if (message.find("attempt to perform arithmetic on a instance value (local '") !=
+        std::string_view::npos)
+        return " (a function that is called with a colon gets the instance first; define it with a "
+               "colon, too)";
     if (message.find("attempt to add a 'string' with a ") != std::string_view::npos)
         return hint_to_write(".. to join texts");
     return {};
@@ -278,6 +316,10 @@ std::string hint_for_syntax(std::string_view message, std::string_view line, std
         (line[column - 1] == '.' || line[column - 1] == ':') &&
         is_word_of_lua(word_at(line, column)))
         return " (" + std::string(word_at(line, column)) + " is a word of Lua and no name)";
+    if (says("')' expected near '='")) return hint_to_write("Body { key = value } with braces");
+    if (says("<name> expected near") && trimmed(line.substr(0, column)).ends_with(':') &&
+        line.substr(0, column).find('{') != std::string_view::npos)
+        return hint_to_write("key = value in a table");
     if (says("')' expected near ','")) return hint_to_write("vec(x, y)");
     if (says("function arguments expected near '='")) return hint_to_write("a.b = value");
     if (says("syntax error near 'is'")) return hint_for_is(line, column, in_file);

@@ -83,8 +83,11 @@ double check_seconds(lua_State* L, const char* what) {
 }
 
 void check_function(lua_State* L, int index, const char* what) {
-    if (lua_type(L, index) != LUA_TFUNCTION)
-        refuse_type(L, index, std::string(what) + ": needs a function");
+    const std::string needed = std::string(what) + ": needs a function";
+    if (lua_isnoneornil(L, index))
+        throw Error(ErrorKind::wrong_type,
+                    needed + ", not nil (its name without brackets, or function() ... end)");
+    if (lua_type(L, index) != LUA_TFUNCTION) refuse_type(L, index, needed);
 }
 
 double check_number(lua_State* L, int index, const char* what) {

@@ -16,6 +16,7 @@ void Declarations::begin(bool reload) {
     children_.clear();
     numbers_.clear();
     placed_.clear();
+    stand_ins_.clear();
     calls.clear();
 }
 
@@ -194,6 +195,14 @@ void Declarations::place(Handle instance, Handle parent, std::string_view name) 
     children_[{parent.key(), chosen}] = instance;
     placed_.push_back(instance);
     make_its_children(instance);
+}
+
+Handle Declarations::stand_in(const Class& of, std::string_view name) {
+    const Handle instance = tree_.create(of);
+    made(instance);
+    place(instance, tree_.root(), name);
+    stand_ins_.insert(instance.key());
+    return instance;
 }
 
 /// A class may make instances below one of its own when that gets a parent, as a map makes its

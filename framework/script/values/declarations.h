@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -84,6 +85,12 @@ class Declarations {
     const property::Value* seen(property::Handle instance, std::string_view name) const;
     /// Gives a detached instance a place. An empty name: the next free one of its class.
     void place(property::Handle instance, property::Handle parent, std::string_view name);
+    /// Makes an instance that stands for one of the framework which the game has deleted, and gives
+    /// it the place of that one. What the top level does with it ends with the reload.
+    property::Handle stand_in(const property::Class& of, std::string_view name);
+    bool is_stand_in(property::Handle instance) const {
+        return stand_ins_.contains(instance.key());
+    }
     /// The instance loses its place, if it has one.
     void remove(property::Handle instance);
     bool has_place(property::Handle instance) const { return places_.contains(instance.key()); }
@@ -116,6 +123,7 @@ class Declarations {
     std::map<std::pair<std::uint64_t, std::string>, property::Handle, std::less<>> children_;
     std::map<std::pair<std::uint64_t, std::string>, int> numbers_;  // last of each stem
     std::vector<property::Handle> placed_;
+    std::set<std::uint64_t> stand_ins_;
 };
 
 }  // namespace fettle::script

@@ -35,6 +35,7 @@ struct Recording {
     std::string nothing;                  // the pattern of the last query that has found nothing
     std::string missing;                  // the callback that was read last and that the game lacks
     std::set<std::string> drawn_changes;  // of which `note_drawn_change` has given a note
+    std::set<std::string> degrees;        // class and property that have a note about degrees
     std::size_t dropped = 0;              // edits beyond the limit
     std::size_t dropped_lines = 0;        // printed lines beyond the limit
 

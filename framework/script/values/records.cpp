@@ -4,6 +4,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <reference/language.h>
+#include <text/synonyms.h>
 #include <text/words.h>
 #include <values/records.h>
 #include <values/short_text.h>
@@ -66,9 +67,9 @@ int read_record(lua_State* L) {
             return 1;
         }
         const std::string hint = hint_at_instance(L, name);
-        throw Error(
-            ErrorKind::unknown_name,
-            name + ": no such field" + (hint.empty() ? property::suggestion(name, names) : hint));
+        throw Error(ErrorKind::unknown_name,
+                    name + ": no such field" +
+                        (hint.empty() ? hint_at(property_synonyms(name), name, names) : hint));
     }
     lua_pushnil(L);
     return 1;

@@ -20,7 +20,8 @@ namespace {
 [[noreturn]] void bad_operand(lua_State* L, const char* operation) {
     const int wrong = vec_at(L, 1) ? 2 : 1;
     throw Error(ErrorKind::wrong_type,
-                std::string("vec ") + operation + ": cannot use " + describe_type(L, wrong));
+                std::string("vec ") + operation + ": cannot use " + describe_type(L, wrong) +
+                    (lua_type(L, wrong) == LUA_TNUMBER ? " (write vec(x, y))" : ""));
 }
 
 int vec_add(lua_State* L) {

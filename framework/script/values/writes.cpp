@@ -9,6 +9,7 @@
 #include <reference/language.h>
 #include <text/words.h>
 #include <values/declarations.h>
+#include <values/degree_notes.h>
 #include <values/drawn_changes.h>
 #include <values/moved_lists.h>
 #include <values/recording.h>
@@ -90,6 +91,7 @@ void assign_property(Machine& machine, Handle instance, const Property& property
 void write_property(Machine& machine, Handle instance, const Property& property,
                     const Value& value) {
     note_drawn_change(machine, instance, property.name);
+    if (value.is_numeric()) note_degrees(machine, instance, property, value.as_double());
     Declarations& declarations = machine.declarations;
     if (!declarations.active()) {
         note_replaced_formula(machine, instance, property.name);

@@ -268,3 +268,11 @@ test("the title names the key that the player has chosen, and offers arenas when
     expect(display.title.keys.text):contains(" left control or A: dash")
     expect(display.title.arena.visible):is(true)
 end)
+
+test("the words of a card are drawn over its button", function(t)
+    t:steps(5)
+    for _, menu in ipairs(game:find("Menu")) do
+        for _, card in ipairs(menu:children("Panel")) do expect(card:children()[1]):is(card.take) end
+    end
+    expect(game:find("Item")[1]:alive()):truthy()
+end)
