@@ -70,6 +70,48 @@ TEST_CASE("a maximum speed limits a body that is pushed") {
     }
 }
 
+TEST_CASE("the maximum speed of a world holds for every body in every solver") {
+    for (const Solver solver : {Solver::soft_step, Solver::sequential, Solver::direct}) {
+        World world({.gravity = {0, 0}, .max_speed = 5, .solver = solver});
+        Body fast = world.create_body({.velocity = {60, 80}});
+        Body slower = world.create_body({.position = {0, -10}, .velocity = {60, 80}});
+        slower.set_max_speed(2);
+        Body lift = world.create_body(
+            {.type = BodyType::kinematic_body, .position = {50, 0}, .velocity = {0, -30}});
+        Body light = world.create_body({.position = {50, -3}});
+        for (Body* body : {&fast, &slower, &lift, &light}) body->add(Circle{});
+        light.set_mass(0.001f);
+        for (int i = 0; i < 60; ++i) {
+            world.step(frame);
+            for (const Body& body : world.bodies()) REQUIRE(body.velocity().length() <= 5.0001f);
+        }
+        // Its direction is that of the velocity that it was given.
+        REQUIRE(fast.position().x == Approx(3).margin(0.01));
+        REQUIRE(fast.position().y == Approx(4).margin(0.01));
+        REQUIRE(slower.velocity().length() == Approx(2));
+        REQUIRE(lift.position().y == Approx(-5).margin(0.01));
+        REQUIRE(light.position().y < -5);
+        world.set_max_speed(1e4f);
+        fast.set_velocity({60, 80});
+        world.step(frame);
+        REQUIRE(fast.velocity().length() == Approx(100));
+        REQUIRE_FALSE(world.validate());
+    }
+}
+
+TEST_CASE("the maximum speed of a world is saved and checked") {
+    World world({.max_speed = 20});
+    for (const float speed : {0.0f, -1.0f, 10001.0f, infinity, float(NAN)}) {
+        REQUIRE_THROWS_WITH(world.set_max_speed(speed), contains("max_speed"));
+        REQUIRE_THROWS_WITH(World({.max_speed = speed}), contains("at most 10000"));
+    }
+    REQUIRE(world.max_speed() == 20.0f);
+    World restored;
+    REQUIRE(restored.max_speed() == 1e4f);
+    restored.restore(saved(world));
+    REQUIRE(restored.max_speed() == 20.0f);
+}
+
 TEST_CASE("locked axes and a maximum speed hold for kinematic bodies") {
     for (const Solver solver : {Solver::soft_step, Solver::sequential, Solver::direct}) {
         World world({.solver = solver});
