@@ -18,7 +18,10 @@ class HasProperties:
             object.__setattr__(self, name, value)
         except AttributeError:
             kind = type(self)
-            if hasattr(kind, name):
+            known = getattr(kind, name, None)
+            if isinstance(known, property) and known.fset is None:
+                raise AttributeError(f"{kind.__name__}.{name} can be read, but not set") from None
+            if known is not None:
                 raise
             raise unknown(f"{kind.__name__} has no settable property {name}", settable(kind), AttributeError) from None
 

@@ -70,8 +70,9 @@ class Bodies(unittest.TestCase):
             world.gravty = (0, 1)
         with self.assertRaisesRegex(AttributeError, 'Mover has no settable property hight .did you mean "height"'):
             fettle.Mover(world).hight = 1
-        with self.assertRaisesRegex(AttributeError, "slot"):  # it exists, and cannot be set
-            body.slot = 1
+        for name in ("slot", "area"):
+            with self.assertRaisesRegex(AttributeError, f"Body.{name} can be read, but not set"):
+                setattr(body, name, 1)
         with self.assertRaisesRegex(AttributeError, 'Circle has no member raduis .did you mean "radius"'):
             fettle.Circle().raduis = 1
         with self.assertRaisesRegex(AttributeError, 'Wind has no member desity .did you mean "density"'):
