@@ -1,4 +1,5 @@
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "catch.h"
@@ -96,6 +97,47 @@ TEST_CASE("the maximum speed of a world holds for every body in every solver") {
         world.step(frame);
         REQUIRE(fast.velocity().length() == Approx(100));
         REQUIRE_FALSE(world.validate());
+    }
+}
+
+TEST_CASE("the forces of a step do not throw back a body that lands with its maximum speed") {
+    World world({.gravity = {0, -1e4f}, .max_speed = 20});
+    Body floor = world.create_body({.type = BodyType::static_body});
+    floor.add(Box{.width = 10, .height = 0.1f});
+    Body ball = world.create_body({.position = {0, 2.03f}});
+    ball.add(Circle{.radius = 0.05f});
+    for (int i = 0; i < 60; ++i) {
+        world.step(frame);
+        REQUIRE(ball.velocity().y < 1);
+        REQUIRE(ball.position().y > 0);
+    }
+    REQUIRE(ball.position().y < 0.2f);
+}
+
+TEST_CASE("bullets and what drives them do not exceed the maximum speed of their world") {
+    for (unsigned seed = 225; seed < 245; ++seed) {
+        std::mt19937 random(seed);
+        const auto between = [&](float low, float high) {
+            return low + (high - low) * float(random() % 10001) / 10000;
+        };
+        World world({.gravity = {0, 0}, .bounds = Aabb{{-5, -5}, {5, 5}}, .max_speed = 100});
+        for (int i = 0; i < 30; ++i) {
+            const bool driver = i % 7 == 0;
+            Body body = world.create_body(
+                {.type = driver ? BodyType::kinematic_body : BodyType::dynamic_body,
+                 .position = {between(-4, 4), between(-4, 4)},
+                 .velocity = {between(-90, 90), between(-90, 90)},
+                 .angular_velocity = between(-90, 90),
+                 .bullet = random() % 3 != 0});
+            const Geometry ball = Circle{.radius = between(0.05f, 0.2f)},
+                           stick = Box{.width = 0.05f, .height = between(0.1f, 1.5f)};
+            body.add(random() % 2 == 0 ? ball : stick,
+                     {.density = random() % 3 == 0 ? 100.0f : 1.0f, .restitution = 1});
+        }
+        for (int i = 0; i < 60; ++i) {
+            world.step(frame);
+            for (const Body& body : world.bodies()) REQUIRE(body.velocity().length() <= 100.01f);
+        }
     }
 }
 
