@@ -628,6 +628,7 @@ StepStatistics = {}
 ---@field friction_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" Friction of a contact from those of its two surfaces: "geometric" is the root of their product. · "average", "minimum", "maximum", "multiply", "geometric" · default "geometric"
 ---@field gravity vec Acceleration of every dynamic body, times its gravity_scale. · m/s² · any finite vec · default vec(0, -10)
 ---@field hit_threshold number Slower impacts cause no contact_hit. · m/s · at least 0 · default 1
+---@field max_speed number Limit of the speed of every body. Body.max_speed is the limit of one. · m/s · 1e-30 to 10000 · default 10000
 ---@field push_speed number Largest speed at which two bodies that overlap are pushed apart. Of many in one place, the outer ones are faster: each is pushed by the one inside of it. · m/s · at least 0 · default 3
 ---@field restitution_mix "average"|"minimum"|"maximum"|"multiply"|"geometric" Restitution of a contact from those of its two surfaces. · "average", "minimum", "maximum", "multiply", "geometric" · default "maximum"
 ---@field restitution_threshold number Slower impacts do not bounce. · m/s · at least 0 · default 1

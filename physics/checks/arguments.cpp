@@ -138,6 +138,12 @@ std::optional<float> check_inertial(const char* what, std::optional<float> value
     return value;
 }
 
+float check_speed_limit(const char* what, float value) {
+    if (!(value > 0.0f && value <= greatest_speed))
+        refuse(what, text(value), "a number above 0, at most " + text(greatest_speed));
+    return value;
+}
+
 const Aabb& check_box(const char* what, const Aabb& value) {
     check_coordinates(MemberName(what, "min").text, value.min);
     check_coordinates(MemberName(what, "max").text, value.max);
@@ -167,6 +173,7 @@ void check(const WorldDef& def) {
     check_not_negative("contact_hertz", def.contact_hertz);
     check_not_negative("contact_damping", def.contact_damping);
     check_not_negative("push_speed", def.push_speed);
+    check_speed_limit("max_speed", def.max_speed);
     check_enumerator("friction_mix", def.friction_mix, MixRule::geometric);
     check_enumerator("restitution_mix", def.restitution_mix, MixRule::geometric);
     check_enumerator("solver", def.solver, Solver::direct);

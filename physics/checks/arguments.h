@@ -75,6 +75,8 @@ inline const Vec2& check_coordinates(const char* what, const Vec2& value) {
 const Vec2& check_point(const char* what, const Vec2& value);  ///< a point of a body: within ±1e6
 /// Positive or infinite: mass, inertia.
 std::optional<float> check_inertial(const char* what, std::optional<float> value);
+/// A limit of the speed of all bodies: above 0, at most 1e4 m/s.
+float check_speed_limit(const char* what, float value);
 const Aabb& check_box(const char* what, const Aabb& value);
 
 void check(const WorldDef& def);

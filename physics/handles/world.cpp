@@ -268,6 +268,7 @@ FETTLE_WORLD_NUMBER(sleep_delay, check_not_negative, data.change<detail::wake_al
 FETTLE_WORLD_NUMBER(contact_hertz, check_not_negative, data.change<detail::wake_all>())
 FETTLE_WORLD_NUMBER(contact_damping, check_not_negative, data.change<detail::wake_all>())
 FETTLE_WORLD_NUMBER(push_speed, check_not_negative, data.change<detail::wake_all>())
+FETTLE_WORLD_NUMBER(max_speed, check_speed_limit, )
 FETTLE_WORLD_SETTING(MixRule, MixRule, friction_mix,
                      check_enumerator("friction_mix", value, MixRule::geometric), remix_all(data);
                      data.change<detail::wake_all>())

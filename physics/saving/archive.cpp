@@ -18,7 +18,7 @@ namespace detail {
 namespace {
 
 constexpr uint32_t archive_magic = 0x77546546;  // "FeTw"
-constexpr uint32_t archive_version = 25;
+constexpr uint32_t archive_version = 26;
 constexpr uint32_t coordinate_size = sizeof(WorldCoordinate);
 
 /// The format of the members of a world; also distinguishes formats for which `archive_version`

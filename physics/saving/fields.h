@@ -284,8 +284,8 @@ void fields(auto& io, Some<WorldDef> auto& s) {
     fields_of<WorldDef>(io, s.gravity, s.substeps, s.bounds, s.bounds_friction,
                         s.bounds_restitution, s.sleeping, s.continuous, s.restitution_threshold,
                         s.hit_threshold, s.sleep_speed, s.sleep_delay, s.contact_hertz,
-                        s.contact_damping, s.push_speed, s.friction_mix, s.restitution_mix,
-                        s.solver, s.persist_events);
+                        s.contact_damping, s.push_speed, s.max_speed, s.friction_mix,
+                        s.restitution_mix, s.solver, s.persist_events);
 }
 /// The seven times are left out: they differ in each run, and worlds with the same history must be
 /// saved as the same bytes.

@@ -383,7 +383,7 @@ void solve_softly(const SolverInput& input, const JointStep& joint_step,
                      kernels,
                      {input.bodies.solver_bodies.data(), &stiffness, joint_step.impulse_ratio},
                      h,
-                     {greatest_speed, greatest_turn / h}};
+                     {input.settings.max_speed, greatest_turn / h}};
     const auto whole = uint32_t(blocks.size() - 1);
     const int at_a_time = input.threads != nullptr && whole > 1 ? input.threads->threads() : 1;
     if (wide_blocks.size() < size_t(at_a_time)) wide_blocks.resize(size_t(at_a_time));

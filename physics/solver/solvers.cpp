@@ -23,7 +23,7 @@ void apply_forces(const SolverInput& input, float h) {
     BodyScratch& bodies = input.bodies;
     const SolverBlocks& blocks = input.schedule.blocks;
     integrate_velocities(blocks.bodies_of(blocks[0]), bodies.solver_bodies, bodies.solver_forces,
-                         {greatest_speed, greatest_turn / h}, false);
+                         {input.settings.max_speed, greatest_turn / h}, false);
     zero_locked(input);
     bodies.solver_bodies[0] = {};
 }

@@ -246,6 +246,8 @@ class MovingImpacts {
             a.velocity = a.velocity + (mass_a.inverse_mass * impulse) * n;
             b.velocity = b.velocity - (mass_b.inverse_mass * impulse) * n;
             b.angular_velocity -= turn * impulse;
+            limit_speed(in_, meeting.slides);
+            limit_speed(in_, other);
         }
         Motion motion = sliding.motion;
         motion.velocity = motion.velocity + (1.0f / (1.0f - meeting.time)) * meeting.back;

@@ -18,10 +18,10 @@ bool turned_before(const ObjectState& objects, const BodyRecord& body) {
     return false;
 }
 
-Vec2 limited_speed(Vec2 velocity) {
+Vec2 limited_speed(Vec2 velocity, float most) {
     const Vec2 v = bounded(velocity, 2.0f * greatest_speed);
-    if (!(length_squared(v) > greatest_speed * greatest_speed)) return v;
-    return (greatest_speed / length(v)) * v;
+    if (!(length_squared(v) > most * most)) return v;
+    return (most / length(v)) * v;
 }
 
 void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& piece) {
@@ -30,7 +30,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     BodyRecord& record = in.objects.bodies[slot];
     BodyState& state = in.columns.states[slot];
     const SolverBody& b = in.bodies.solver_bodies[place + 1];
-    state.velocity = limited_speed(b.velocity);
+    state.velocity = limited_speed(b.velocity, settings.max_speed);
     // A motor may exceed the limit in the last sub-step.
     const float turn_limit = dt > 0.0f ? greatest_turn * float(in.substeps) / dt : 1e6f;
     state.angular_velocity = bounded(b.angular_velocity, min(1e6f, turn_limit));

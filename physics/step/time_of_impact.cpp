@@ -236,14 +236,28 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
     return first;
 }
 
+namespace {
+float greatest_speed_of(const FinishInput& in, const BodyRecord& body) {
+    return min(in.settings.max_speed, in.objects.max_speed_of(body));
+}
+}  // namespace
+
+void limit_speed(const FinishInput& in, uint32_t body) {
+    Vec2& velocity = in.columns.states[body].velocity;
+    const float most = greatest_speed_of(in, in.objects.bodies[body]), speed = length(velocity);
+    if (speed > most) velocity = (most / speed) * velocity;
+}
+
 void undo_forces(const FinishInput& in, uint32_t body, float share) {
     const BodyRecord& record = in.objects.bodies[body];
     const SolverForce& force = in.bodies.solver_forces[record.solver_index];
     BodyState& state = in.columns.states[body];
+    if (length(state.velocity) > 0.999f * greatest_speed_of(in, record)) return;
     const float substeps = share * float(in.substeps);
     if (!record.flags.locked_x) state.velocity.x -= substeps * force.change.x;
     if (!record.flags.locked_y) state.velocity.y -= substeps * force.change.y;
     if (!record.flags.locked_rotation) state.angular_velocity -= substeps * force.turn_change;
+    limit_speed(in, body);
 }
 
 void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,

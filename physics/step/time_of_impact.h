@@ -42,8 +42,11 @@ void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
 
 /// Removes the change of velocity that forces made in `share` of the step. The motion of a body
 /// that an impact stops ends before the step does: the forces of the remaining time would add
-/// energy for a distance that the body did not move.
+/// energy for a distance that the body did not move. A body at its maximum speed keeps its
+/// velocity, because the forces have not changed it.
 void undo_forces(const FinishInput& in, uint32_t body, float share);
+/// Shortens a velocity that an impact has changed to the maximum speed of the body and the world.
+void limit_speed(const FinishInput& in, uint32_t body);
 
 // continuous_collision_joints.cpp
 

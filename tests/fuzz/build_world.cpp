@@ -358,7 +358,7 @@ class Builder {
     }
 
     void edit_world() {
-        switch (choose_.of(10)) {
+        switch (choose_.of(11)) {
             case 0:
                 return world_.set_solver(static_cast<Solver>(choose_.of(3)));
             case 1:
@@ -380,6 +380,8 @@ class Builder {
                 return disable_some_contacts();
             case 8:
                 return check_queries();
+            case 9:
+                return world_.set_max_speed(choose_.size());
             default:
                 return world_.set_continuous(choose_.flip());
         }

@@ -193,6 +193,7 @@ inline const std::vector<Method>& every_method() {
         EDIT(World, set_contact_hertz, world, (30.0f)),
         EDIT(World, set_contact_damping, world, (5.0f)),
         EDIT(World, set_push_speed, world, (1.0f)),
+        EDIT(World, set_max_speed, world, (50.0f)),
         EDIT(World, set_solver, world, (Solver::sequential)),
         EDIT(World, set_friction_mix, world, (MixRule::average)),
         EDIT(World, set_restitution_mix, world, (MixRule::average)),

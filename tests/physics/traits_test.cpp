@@ -1,4 +1,5 @@
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "catch.h"
@@ -68,6 +69,89 @@ TEST_CASE("a maximum speed limits a body that is pushed") {
         world.step(frame);
         REQUIRE(ball.velocity().length() <= 1.0001f);
     }
+}
+
+TEST_CASE("the maximum speed of a world holds for every body in every solver") {
+    for (const Solver solver : {Solver::soft_step, Solver::sequential, Solver::direct}) {
+        World world({.gravity = {0, 0}, .max_speed = 5, .solver = solver});
+        Body fast = world.create_body({.velocity = {60, 80}});
+        Body slower = world.create_body({.position = {0, -10}, .velocity = {60, 80}});
+        slower.set_max_speed(2);
+        Body lift = world.create_body(
+            {.type = BodyType::kinematic_body, .position = {50, 0}, .velocity = {0, -30}});
+        Body light = world.create_body({.position = {50, -3}});
+        for (Body* body : {&fast, &slower, &lift, &light}) body->add(Circle{});
+        light.set_mass(0.001f);
+        for (int i = 0; i < 60; ++i) {
+            world.step(frame);
+            for (const Body& body : world.bodies()) REQUIRE(body.velocity().length() <= 5.0001f);
+        }
+        // Its direction is that of the velocity that it was given.
+        REQUIRE(fast.position().x == Approx(3).margin(0.01));
+        REQUIRE(fast.position().y == Approx(4).margin(0.01));
+        REQUIRE(slower.velocity().length() == Approx(2));
+        REQUIRE(lift.position().y == Approx(-5).margin(0.01));
+        REQUIRE(light.position().y < -5);
+        world.set_max_speed(1e4f);
+        fast.set_velocity({60, 80});
+        world.step(frame);
+        REQUIRE(fast.velocity().length() == Approx(100));
+        REQUIRE_FALSE(world.validate());
+    }
+}
+
+TEST_CASE("the forces of a step do not throw back a body that lands with its maximum speed") {
+    World world({.gravity = {0, -1e4f}, .max_speed = 20});
+    Body floor = world.create_body({.type = BodyType::static_body});
+    floor.add(Box{.width = 10, .height = 0.1f});
+    Body ball = world.create_body({.position = {0, 2.03f}});
+    ball.add(Circle{.radius = 0.05f});
+    for (int i = 0; i < 60; ++i) {
+        world.step(frame);
+        REQUIRE(ball.velocity().y < 1);
+        REQUIRE(ball.position().y > 0);
+    }
+    REQUIRE(ball.position().y < 0.2f);
+}
+
+TEST_CASE("bullets and what drives them do not exceed the maximum speed of their world") {
+    for (unsigned seed = 225; seed < 245; ++seed) {
+        std::mt19937 random(seed);
+        const auto between = [&](float low, float high) {
+            return low + (high - low) * float(random() % 10001) / 10000;
+        };
+        World world({.gravity = {0, 0}, .bounds = Aabb{{-5, -5}, {5, 5}}, .max_speed = 100});
+        for (int i = 0; i < 30; ++i) {
+            const bool driver = i % 7 == 0;
+            Body body = world.create_body(
+                {.type = driver ? BodyType::kinematic_body : BodyType::dynamic_body,
+                 .position = {between(-4, 4), between(-4, 4)},
+                 .velocity = {between(-90, 90), between(-90, 90)},
+                 .angular_velocity = between(-90, 90),
+                 .bullet = random() % 3 != 0});
+            const Geometry ball = Circle{.radius = between(0.05f, 0.2f)},
+                           stick = Box{.width = 0.05f, .height = between(0.1f, 1.5f)};
+            body.add(random() % 2 == 0 ? ball : stick,
+                     {.density = random() % 3 == 0 ? 100.0f : 1.0f, .restitution = 1});
+        }
+        for (int i = 0; i < 60; ++i) {
+            world.step(frame);
+            for (const Body& body : world.bodies()) REQUIRE(body.velocity().length() <= 100.01f);
+        }
+    }
+}
+
+TEST_CASE("the maximum speed of a world is saved and checked") {
+    World world({.max_speed = 20});
+    for (const float speed : {0.0f, -1.0f, 10001.0f, infinity, float(NAN)}) {
+        REQUIRE_THROWS_WITH(world.set_max_speed(speed), contains("max_speed"));
+        REQUIRE_THROWS_WITH(World({.max_speed = speed}), contains("at most 10000"));
+    }
+    REQUIRE(world.max_speed() == 20.0f);
+    World restored;
+    REQUIRE(restored.max_speed() == 1e4f);
+    restored.restore(saved(world));
+    REQUIRE(restored.max_speed() == 20.0f);
 }
 
 TEST_CASE("locked axes and a maximum speed hold for kinematic bodies") {

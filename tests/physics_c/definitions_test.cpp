@@ -162,7 +162,7 @@ TEST_CASE("each value of the definition of a shape in C comes into the shape") {
 }
 
 TEST_CASE("each value of the definition of a world in C comes into the world") {
-    REQUIRE(members_in("world_def") == 20);
+    REQUIRE(members_in("world_def") == 21);
     Values values;
     fettle_world_def def;
     REQUIRE(fettle_world_def_init(&def, sizeof def) == FETTLE_DONE);
@@ -170,9 +170,10 @@ TEST_CASE("each value of the definition of a world in C comes into the world") {
     def.gravity = values.vector();
     def.has_bounds = true;
     def.bounds = {{-3, -4}, {5, 6}};
-    for (float* number : {&def.bounds_friction, &def.bounds_restitution, &def.restitution_threshold,
-                          &def.hit_threshold, &def.sleep_speed, &def.sleep_delay,
-                          &def.contact_hertz, &def.contact_damping, &def.push_speed})
+    for (float* number :
+         {&def.bounds_friction, &def.bounds_restitution, &def.restitution_threshold,
+          &def.hit_threshold, &def.sleep_speed, &def.sleep_delay, &def.contact_hertz,
+          &def.contact_damping, &def.push_speed, &def.max_speed})
         *number = values.number();
     def.sleeping = def.continuous = false;
     def.persist_events = true;
@@ -199,6 +200,7 @@ TEST_CASE("each value of the definition of a world in C comes into the world") {
     CHECK_SETTING(float, contact_hertz)
     CHECK_SETTING(float, contact_damping)
     CHECK_SETTING(float, push_speed)
+    CHECK_SETTING(float, max_speed)
     CHECK_SETTING(bool, sleeping)
     CHECK_SETTING(bool, continuous)
     CHECK_SETTING(bool, persist_events)

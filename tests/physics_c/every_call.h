@@ -238,7 +238,7 @@ inline constexpr Call every_call[] = {
     CALL(fettle_world_set_sleep_delay), CALL(fettle_world_contact_hertz),
     CALL(fettle_world_set_contact_hertz), CALL(fettle_world_contact_damping),
     CALL(fettle_world_set_contact_damping), CALL(fettle_world_push_speed),
-    CALL(fettle_world_set_push_speed), CALL(fettle_world_solver),
+    CALL(fettle_world_set_push_speed), CALL(fettle_world_max_speed), CALL(fettle_world_set_max_speed), CALL(fettle_world_solver),
     CALL(fettle_world_set_solver), CALL(fettle_world_friction_mix),
     CALL(fettle_world_set_friction_mix), CALL(fettle_world_restitution_mix),
     CALL(fettle_world_set_restitution_mix), CALL(fettle_world_persist_events),

@@ -89,6 +89,8 @@ Cases world_cases() {
         "direct", 1, [](Stage& s) { return s.game.y(s.body) > 0.475; }, put(Vec2(0, 0.45)));
     cases["World.push_speed"] = world_case(
         0.1, 20, [](Stage& s) { return s.game.y(s.body) < 0.4; }, put(Vec2(0, 0.3)));
+    cases["World.max_speed"] = world_case(
+        1, 30, [](Stage& s) { return s.game.y(s.body) > 4; }, put(Vec2(0, 5)));
     return cases;
 }
 

@@ -34,6 +34,7 @@ void each_member(InC& c, WorldDef& def, const Each& each) {
     each(c.contact_hertz, def.contact_hertz);
     each(c.contact_damping, def.contact_damping);
     each(c.push_speed, def.push_speed);
+    each(c.max_speed, def.max_speed);
     each(FETTLE_ENUMERATOR(friction_mix, MixRule::geometric), def.friction_mix);
     each(FETTLE_ENUMERATOR(restitution_mix, MixRule::geometric), def.restitution_mix);
     each(FETTLE_ENUMERATOR(solver, Solver::direct), def.solver);

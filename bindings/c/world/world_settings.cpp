@@ -70,6 +70,7 @@ FETTLE_WORLD_PROPERTY(sleep_delay, float)
 FETTLE_WORLD_PROPERTY(contact_hertz, float)
 FETTLE_WORLD_PROPERTY(contact_damping, float)
 FETTLE_WORLD_PROPERTY(push_speed, float)
+FETTLE_WORLD_PROPERTY(max_speed, float)
 FETTLE_WORLD_READING(solver, int32_t)
 
 fettle_code fettle_world_set_solver(fettle_world* world, int32_t solver) {

@@ -148,12 +148,12 @@ _errors = {lib.FETTLE_INVALID: Invalid, lib.FETTLE_STALE: Stale, lib.FETTLE_LOCK
            lib.FETTLE_NO_MEMORY: MemoryError}
 
 
-def unknown(what, names):
+def unknown(what, names, kind=Invalid):
     """The error for a name that does not exist. `what` is its text, which ends with that name; the nearest name and all names are added."""
     names = sorted(names)
     near = difflib.get_close_matches(what.split()[-1], names, 1)
     meant = f' (did you mean "{near[0]}"?)' if near else ""
-    return Invalid(f"{what}{meant}; there are {', '.join(names)}")
+    return kind(f"{what}{meant}; there are {', '.join(names)}")
 
 
 _raised = threading.local()  # by a function of the host, inside a call

@@ -1,16 +1,12 @@
 """What bodies, shapes, joints and fields have in common."""
 
 from ._call import Invalid, unknown
+from ._names import HasProperties, settable
 
 slot_mask = (1 << 28) - 1
 
 
-def settable(kind):
-    """Names of the properties of a class that can be set."""
-    return [name for name in dir(kind) if isinstance(known := getattr(kind, name), property) and known.fset]
-
-
-class Handle:
+class Handle(HasProperties):
     """Names an object of a world. It may outlive the object; then its methods raise `Stale`."""
 
     __slots__ = ("world", "id")

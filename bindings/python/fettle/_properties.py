@@ -77,7 +77,10 @@ def to_text(value, name):
     """The bytes of a text for C."""
     if not isinstance(value, str) or "\0" in value:
         raise Invalid(f"{name} = {value!r}: expected a text without a zero")
-    return value.encode()
+    try:
+        return value.encode()
+    except UnicodeEncodeError as error:
+        raise Invalid(f"{name} = {value!r}: expected a text of Unicode: {error.reason}") from None
 
 
 def _getter(function, out, has_id):

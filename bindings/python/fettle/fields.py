@@ -5,12 +5,13 @@ from typing import Optional
 
 from ._call import Invalid, check, definition, lib
 from ._handle import Handle
+from ._names import HasMembers
 from ._properties import to_number
 from ._values import Aabb, Vec2, aabb, pair, to_aabb, vec2
 
 
 @dataclass
-class _Force:
+class _Force(HasMembers):
     region: Optional[Aabb] = None  # None: everywhere
     mask: int = (1 << 64) - 1
     enabled: bool = True

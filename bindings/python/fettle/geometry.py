@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, Sequence
 
 from ._call import Invalid, check, definition, ffi, lib, list_of
+from ._names import HasMembers
 from . import _properties
 from ._properties import to_number
 from ._values import Pose, Vec2, aabb, pair, points, vec2
@@ -57,7 +58,7 @@ def _to_movement(movement):
     return made
 
 
-class Geometry:
+class Geometry(HasMembers):
     """Measurements that every geometry offers, without a world. A pose is (position, angle); None is the origin."""
 
     def mass_properties(self, density=1.0):

@@ -5,6 +5,7 @@ from typing import NamedTuple, Optional
 
 from ._call import Error, Invalid, check, definition, ffi, lib, list_of, unknown
 from ._handle import id_of
+from ._names import HasProperties
 from ._properties import to_number
 from ._values import Vec2, pair, to_list, vec2
 from .body import Body, body_or_none
@@ -78,7 +79,7 @@ def _state_property(name, convert=lambda world, value: value):
     return property(lambda self: convert(self.world, getattr(self._state, name)))
 
 
-class Mover:
+class Mover(HasProperties):
     """An upright capsule that slides along walls, climbs slopes and steps, rides on moving platforms and pushes crates. It is no
     object of the world: bodies do not see it. Its settings are the members of `fettle_mover_def` in
     fettle/physics_c/mover.h, and properties. `position` is its lowest point, m."""

@@ -8,7 +8,8 @@ from ._call import Invalid, Locked, check, close_world, closed, definition, ffi,
 from ._columns import Columns
 from ._drawing import drawing_of
 from ._events import events_of
-from ._handle import id_of, settable
+from ._handle import id_of
+from ._names import HasProperties, settable
 from ._properties import bind, set_members, to_bytes, to_function, to_number
 from ._queries import Queries
 from ._values import aabb, joint_types, mix_rules, number_of, pair, solvers, to_aabb
@@ -37,7 +38,7 @@ def _restored(state):
 
 
 @bind("world", has_id=False)
-class World(Queries):
+class World(HasProperties, Queries):
     """A world of rigid bodies. Its settings are properties with the names of fettle/physics_c/world_settings.h, and may be
     given at creation: `World(gravity=(0, 0), substeps=8)`. `room`: number of bodies for which there is room, so that arrays of
     it stay valid while they are created. A world belongs to one thread at a time: a call

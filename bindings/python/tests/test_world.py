@@ -64,6 +64,19 @@ class Bodies(unittest.TestCase):
             body.linear_damping = -1
         with self.assertRaisesRegex(fettle.Invalid, r'no settable property positon \(did you mean "position"\?\); there are angle'):
             world.body(positon=(0, 1))
+        with self.assertRaisesRegex(AttributeError, r'Body has no settable property postion \(did you mean "position"\?\); there are angle'):
+            body.postion = (0, 1)
+        with self.assertRaisesRegex(AttributeError, 'World has no settable property gravty .did you mean "gravity"'):
+            world.gravty = (0, 1)
+        with self.assertRaisesRegex(AttributeError, 'Mover has no settable property hight .did you mean "height"'):
+            fettle.Mover(world).hight = 1
+        for name in ("slot", "area"):
+            with self.assertRaisesRegex(AttributeError, f"Body.{name} can be read, but not set"):
+                setattr(body, name, 1)
+        with self.assertRaisesRegex(AttributeError, 'Circle has no member raduis .did you mean "radius"'):
+            fettle.Circle().raduis = 1
+        with self.assertRaisesRegex(AttributeError, 'Wind has no member desity .did you mean "density"'):
+            fettle.Wind().desity = 1
         with self.assertRaisesRegex(fettle.Invalid, 'did you mean "gravity"'):
             fettle.World(gravty=(0, -10))
         with self.assertRaisesRegex(fettle.Invalid, 'no property frction .did you mean "friction"'):

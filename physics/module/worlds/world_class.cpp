@@ -116,6 +116,11 @@ std::vector<Property> tuning(Hosting& hosting) {
                "Share of the speed with which bodies separate from the walls of the bounds.",
                bound<&World::bounds_restitution, &World::set_bounds_restitution>(hosting));
     bounce.range = fraction;
+    Property most_speed =
+        number("max_speed", defaults.max_speed, "m/s",
+               "Limit of the speed of every body. Body.max_speed is the limit of one.",
+               bound<&World::max_speed, &World::set_max_speed>(hosting));
+    most_speed.range = {.min = 1e-30, .max = defaults.max_speed};
     return {
         amount("bounds_friction", defaults.bounds_friction, "",
                "Friction of the walls of the bounds.",
@@ -141,6 +146,7 @@ std::vector<Property> tuning(Hosting& hosting) {
                "Largest speed at which two bodies that overlap are pushed apart. Of many in one "
                "place, the outer ones are faster: each is pushed by the one inside of it.",
                bound<&World::push_speed, &World::set_push_speed>(hosting)),
+        most_speed,
     };
 }
 

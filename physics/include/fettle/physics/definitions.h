@@ -51,9 +51,10 @@ struct WorldDef {
     float sleep_delay = 0.5f;     ///< s
     float contact_hertz = 60.0f;  ///< frequency of a contact under load; ¾ of it without load. The
                                   ///< solver uses at most a quarter of the sub-step rate
-    float contact_damping = 10.0f;              ///< damping ratio of contacts
-    float push_speed = 3.0f;                    ///< m/s; limit for pushing overlapping shapes apart
-    MixRule friction_mix = MixRule::geometric;  ///< how a contact computes its friction
+    float contact_damping = 10.0f;  ///< damping ratio of contacts
+    float push_speed = 3.0f;        ///< m/s; limit for pushing overlapping shapes apart
+    float max_speed = 1e4f;         ///< m/s, above 0, at most 1e4: limit of the speed of every body
+    MixRule friction_mix = MixRule::geometric;   ///< how a contact computes its friction
     MixRule restitution_mix = MixRule::maximum;  ///< how a contact computes its restitution
     Solver solver = Solver::soft_step;           ///< how contacts and joints are solved
     bool persist_events = false;                 ///< report every continuing touch in every step

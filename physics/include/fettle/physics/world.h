@@ -147,6 +147,11 @@ class World {
     void set_contact_damping(float ratio);
     float push_speed() const;  ///< m/s, at least 0: limit for pushing overlapping shapes apart
     void set_push_speed(float speed);
+    /// m/s, above 0, at most 1e4 (the default): no body, not even a kinematic one, is faster at the
+    /// end of a step. Contacts may exceed it within the step; `Body::set_max_speed`, which limits
+    /// a single body, also excludes that.
+    float max_speed() const;
+    void set_max_speed(float speed);
     Solver solver() const;                   ///< how contacts and joints are solved
     void set_solver(Solver solver);          ///< wakes all
     MixRule friction_mix() const;            ///< how a contact computes its friction

@@ -31,6 +31,7 @@ typedef struct fettle_world_def {
     int32_t friction_mix;        /* FETTLE_MIX_GEOMETRIC; one of fettle_mix_rule */
     int32_t restitution_mix;     /* FETTLE_MIX_MAXIMUM */
     int32_t solver;              /* FETTLE_SOLVER_SOFT_STEP; one of fettle_solver */
+    float max_speed; /* 1e4 m/s; above 0, at most 1e4: limit of the speed of every body */
 } fettle_world_def;
 
 /** A body. body.h has ranges, and the functions that change each of these values later. */

@@ -73,6 +73,12 @@ fettle_code fettle_world_set_contact_damping(fettle_world* world, float contact_
 fettle_code fettle_world_push_speed(const fettle_world* world, float* push_speed);
 fettle_code fettle_world_set_push_speed(fettle_world* world, float push_speed);
 
+/** m/s; above 0, at most 1e4 (the default): no body, not even a kinematic one, is faster at the end
+    of a step. Contacts may exceed it within the step; fettle_body_set_max_speed, which limits a
+    single body, also excludes that. */
+fettle_code fettle_world_max_speed(const fettle_world* world, float* max_speed);
+fettle_code fettle_world_set_max_speed(fettle_world* world, float max_speed);
+
 /** One of fettle_solver. The setter wakes all bodies. */
 fettle_code fettle_world_solver(const fettle_world* world, int32_t* solver);
 fettle_code fettle_world_set_solver(fettle_world* world, int32_t solver);
