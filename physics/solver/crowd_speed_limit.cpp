@@ -112,11 +112,10 @@ void limit_pushes(const SolverInput& input, const Columns& columns) {
     for (size_t i = 0; i < open.size(); ++i) {
         const uint32_t body = open[i];
         if (!limits.limit(body)) continue;
+        input.bodies.limited.push_back(body);
         objects.for_each_contact(body, [&](uint32_t contact) {
-            ContactRecord& c = objects.contacts[contact];
-            if (c.manifold.count == 0 || c.sensor) return;
-            add(objects.other_body(contact, body));
-            c.clear_impulses();  // those of a body that was too fast are too large
+            const ContactRecord& c = objects.contacts[contact];
+            if (c.manifold.count > 0 && !c.sensor) add(objects.other_body(contact, body));
         });
     }
 }

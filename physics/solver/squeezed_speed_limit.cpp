@@ -66,14 +66,15 @@ class Squeezes {
     /// they go through slow bodies too, as through a seesaw to what lies on it.
     void limit_squeezed(uint32_t index) {
         if (!is_squeezed(input_.active.awake_bodies[index - 1]) || !limit(index)) return;
-        reached_.resize(input_.bodies.solver_bodies.size());
-        add_neighbors(index);
-        while (!waiting_.empty()) {
-            const uint32_t next = waiting_.back();
-            waiting_.pop_back();
-            if (may_be_thrown(next)) limit(next);
-            add_neighbors(next);
-        }
+        reach(index, true);
+        follow();
+    }
+    /// Limits the bodies that a squeezed body throws although it is not thrown itself.
+    void limit_pressed(uint32_t index) {
+        if (index == 0 || index > input_.active.awake_bodies.size()) return;
+        if (is_reached(index) || !is_squeezed(input_.active.awake_bodies[index - 1])) return;
+        reach(index, false);
+        follow();
     }
 
   private:
@@ -100,21 +101,47 @@ class Squeezes {
         b.shift = scale(length(b.shift), dt_ * most) * b.shift;
         b.angular_velocity *= scale(std::fabs(b.angular_velocity), most_turn);
         b.turn *= scale(std::fabs(b.turn), dt_ * most_turn);
-        input_.objects.for_each_contact(body, [&](uint32_t contact) {
-            ContactRecord& c = input_.objects.contacts[contact];
-            if (c.acts()) c.clear_impulses();  // they are too large
-        });
+        input_.bodies.limited.push_back(body);
         return true;
     }
 
-    void add_neighbors(uint32_t index) {
-        const uint32_t body = input_.active.awake_bodies[index - 1];
-        input_.objects.for_each_contact(body, [&](uint32_t contact) {
-            const uint32_t other = input_.objects.other_body(contact, body);
-            if (!input_.objects.contacts[contact].acts() || !yields(other)) return;
-            const uint32_t neighbor = input_.objects.bodies[other].solver_index;
-            if (std::exchange(reached_[neighbor], 1)) return;
-            waiting_.push_back(neighbor);
+    /// A body that was reached, and whether the impulses on it are known to be too large.
+    struct Reached {
+        uint32_t index;
+        bool thrown;
+    };
+
+    bool is_reached(uint32_t index) const { return !reached_.empty() && reached_[index] != 0; }
+    void reach(uint32_t index, bool thrown) {
+        reached_.resize(input_.bodies.solver_bodies.size());
+        if (!std::exchange(reached_[index], 1)) waiting_.push_back({index, thrown});
+    }
+    void follow() {
+        while (!waiting_.empty()) {
+            const Reached next = waiting_.back();
+            waiting_.pop_back();
+            add_neighbors(next);
+        }
+    }
+    void add_neighbors(const Reached from) {
+        const ObjectState& objects = input_.objects;
+        const uint32_t body = input_.active.awake_bodies[from.index - 1];
+        const auto visit = [&](uint32_t other, bool passes) {
+            const uint32_t neighbor = objects.bodies[other].solver_index;
+            if (!yields(other) || neighbor == 0 || is_reached(neighbor)) return;
+            const bool thrown = may_be_thrown(neighbor) && limit(neighbor);
+            if (thrown || passes) reach(neighbor, thrown || from.thrown);
+        };
+        objects.for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = objects.contacts[contact];
+            if (!c.acts()) return;
+            const uint32_t other = objects.other_body(contact, body);
+            visit(other, from.thrown || depth_of(c) > least_yielding *
+                                                          min(objects.bodies[body].thickness,
+                                                              objects.bodies[other].thickness));
+        });
+        objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
+            if (objects.joints[joint].moves()) visit(objects.joints[joint].bodies[side ^ 1], true);
         });
     }
 
@@ -207,14 +234,18 @@ class Squeezes {
             for (int k = 0; k < c.manifold.count; ++k) {
                 const ManifoldPoint& p = c.manifold.points[k];
                 const Vec2 arm = other == c.body_a ? p.anchor_a : p.anchor_b;
-                most = max(most, (1.0f + c.restitution) * length(motion.at(arm)) +
-                                     std::fabs(c.surface_speed));
+                const float speed = yields(other) ? max(length(motion.velocity),
+                                                        std::fabs(motion.turn) * length(arm))
+                                                  : length(motion.at(arm));
+                most = max(most, (1.0f + c.restitution) * speed + std::fabs(c.surface_speed));
             }
         });
         objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
-            const FreeMotion motion =
-                FreeMotion::of(input_, columns_, objects.joints[joint].bodies[side ^ 1]);
-            most = max(most, length(motion.velocity));
+            const JointRecord& record = objects.joints[joint];
+            const FreeMotion motion = FreeMotion::of(input_, columns_, record.bodies[side ^ 1]);
+            const BodyRecord& other = objects.bodies[record.bodies[side ^ 1]];
+            most = max(most, max(length(motion.velocity),
+                                 std::fabs(motion.turn) * other.extent));
         });
         return most;
     }
@@ -224,7 +255,7 @@ class Squeezes {
     float dt_, inverse_dt2_;
     float least_unyielding_;  ///< depth, m; the direct solver throws a body out before it overlaps
     // Bodies that a squeezed one may have thrown, as indices in the solver.
-    std::vector<uint32_t> waiting_;
+    std::vector<Reached> waiting_;
     std::vector<uint8_t> reached_;  ///< by solver body: 1 if it was or is in `waiting_`
 };
 
@@ -237,8 +268,10 @@ void limit_squeezed(const SolverInput& input, const Columns& columns, float dt) 
         for (uint32_t i = piece.begin; i < piece.end(); ++i) {
             const ActingContact& c = input.contacts.acting[i];
             // A body that touches nothing that does not yield is not squeezed.
-            if (c.moves_a() != c.moves_b() && squeezes.may_be_thrown(c.mover()))
+            if (c.moves_a() == c.moves_b()) continue;
+            if (squeezes.may_be_thrown(c.mover()))
                 squeezes.limit_squeezed(c.mover());
+            if (input.bodies.driven) squeezes.limit_pressed(c.mover());
         }
     }
 }

@@ -60,13 +60,15 @@ struct BodyScratch {
     std::vector<uint8_t> gathered;           ///< results of the pieces of the list of awake bodies
     std::vector<uint32_t> locked;            ///< bodies with a locked axis or a maximum speed
     std::vector<uint32_t> maybe_crowded;     ///< slots of bodies that many joints may crowd
+    /// Slots of bodies whose speed was limited: their stored impulses are too large.
+    std::vector<uint32_t> limited;
     std::vector<uint8_t> bounced;            ///< by body: the last pass of impacts that changed it
     std::vector<FirstImpact> first_impacts;  ///< by body
     bool axes_locked = false;                ///< some awake body is locked along x or y
     bool driven = false;                     ///< some awake body is kinematic
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
-                   s.locked, s.maybe_crowded, s.bounced, s.first_impacts, s.axes_locked, s.driven)
+                   s.locked, s.maybe_crowded, s.limited, s.bounced, s.first_impacts, s.axes_locked, s.driven)
 };
 
 /// The acting joints of one type in a step, in the order of their nodes.

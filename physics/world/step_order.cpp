@@ -208,6 +208,7 @@ void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, 
     store_joints(objects(), body_scratch(), joint_scratch(), joint_step, threads);
     break_joints(editing(), joint_scratch(), joint_step.inverse_h / float(sub.settings.substeps));
     store_contacts(contact_scratch(), touching(), settings.hit_threshold, threads);
+    drop_impulses(objects(), body_scratch().limited);
     release_held_open(touching(), joint_scratch(), joint_step.h);
     for (const uint32_t contact : pair_scratch().pinned)
         skip_contact(touching(), contact, Skipped::crushed);
