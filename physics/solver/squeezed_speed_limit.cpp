@@ -89,10 +89,7 @@ class Squeezes {
         const float turn = max(std::fabs(b.angular_velocity), std::fabs(b.turn) / dt_);
         const float most = greatest_speed_of(body, own);
         const float extent = input_.objects.bodies[body].extent;
-        // A motor may turn it.
-        const bool jointed = input_.objects.bodies[body].lists.first_joint != none;
-        const float most_turn =
-            jointed ? infinity : max(most / max(extent, 1e-6f), std::fabs(own.turn));
+        const float most_turn = max(most / max(extent, 1e-6f), std::fabs(own.turn));
         if (!(speed > most) && !(turn > most_turn)) return false;
         const auto scale = [](float value, float limit) {
             return value > limit ? limit / value : 1.0f;
