@@ -1,8 +1,9 @@
-// Bodies that overlap are pushed apart, each with at most the push speed from its neighbors. Where
-// bodies overlap deeply, as in a crowd, these speeds add up from one body to the next, and the
-// relax pass cannot take all of them away: 500 discs in one spot flew apart with 25 m/s, and a body
-// that was made larger inside of a heap threw its neighbors with 15 m/s. So a push makes no body
-// faster than the push speed and than the bodies that it meets. Momentum is not kept there.
+// Bodies that overlap are pushed apart, each with at most the push speed from its neighbors. In a
+// crowd, where a body overlaps several others deeply, these speeds add up from one body to the
+// next, and the relax pass cannot take all of them away: 500 discs in one spot flew apart with 25
+// m/s, and a body that was made larger inside of a heap threw its neighbors with 15 m/s. So a push
+// there makes no body faster than the push speed and than the bodies that it meets. Momentum is not
+// kept there.
 //
 // The same bound shows which contacts joints cannot resolve. Two bodies that hang on joints and are
 // made to overlap may be unable to part in the direction of the push. Then the contact and the
@@ -19,12 +20,24 @@
 namespace fettle::physics::detail {
 namespace {
 
+/// Number of others that a body in a crowd overlaps deeply.
+constexpr uint32_t least_overlaps = 3;
+
 struct OverlapLimits {
     const SolverInput& input;
     const Columns& columns;
 
     static float speed_of(Vec2 velocity, float angular_velocity, const BodyRecord& record) {
         return length(velocity) + std::fabs(angular_velocity) * record.extent;
+    }
+    /// True if the body overlaps several others deeply.
+    bool is_crowded(uint32_t body) const {
+        uint32_t overlaps = 0;
+        input.objects.for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = input.objects.contacts[contact];
+            overlaps += c.manifold.count > 0 && !c.sensor && is_deep(input.objects, c);
+        });
+        return overlaps >= least_overlaps;
     }
     /// Speed that the fastest point of a body would have after the step without contacts.
     float free_speed_of(uint32_t body) const {
@@ -84,31 +97,35 @@ void limit_pushes(const SolverInput& input, const Columns& columns,
     };
     for (const uint32_t contact : pressed) {
         const ContactRecord& c = objects.contacts[contact];
-        if (c.acts() && is_deep(objects, c)) add(c.body_a), add(c.body_b);
+        for (const uint32_t body : {c.body_a, c.body_b})
+            if (limits.is_crowded(body)) add(body);
     }
     // A body that was too fast may have made the bodies that it pushed too fast as well.
     for (size_t i = 0; i < open.size(); ++i) {
         const uint32_t body = open[i];
-        if (!limits.limit(body)) continue;
-        input.bodies.limited.push_back(body);
+        const bool was_fast = limits.limit(body);
         objects.for_each_contact(body, [&](uint32_t contact) {
             const ContactRecord& c = objects.contacts[contact];
-            if (c.manifold.count > 0 && !c.sensor) add(objects.other_body(contact, body));
+            if (c.manifold.count == 0 || c.sensor) return;
+            if (was_fast || is_deep(objects, c)) add(objects.other_body(contact, body));
         });
+        if (!was_fast) continue;
+        input.bodies.limited.push_back(body);
         objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
             if (objects.joints[joint].moves()) add(objects.joints[joint].bodies[side ^ 1]);
         });
     }
 }
 
-void find_jammed(const SolverInput& input, const Columns& columns, std::vector<uint32_t>& pressed) {
+size_t find_jammed(const SolverInput& input, const Columns& columns, std::span<uint32_t> pressed) {
     const OverlapLimits limits = {input, columns};
-    std::erase_if(pressed, [&](uint32_t contact) {
+    const auto end = std::stable_partition(pressed.begin(), pressed.end(), [&](uint32_t contact) {
         const ContactRecord& c = input.objects.contacts[contact];
-        if (!is_pinned(input.objects, c)) return true;
+        if (!is_pinned(input.objects, c)) return false;
         const bool a_was_fast = limits.limit(c.body_a), b_was_fast = limits.limit(c.body_b);
-        return !a_was_fast && !b_was_fast;
+        return a_was_fast || b_was_fast;
     });
+    return size_t(end - pressed.begin());
 }
 
 }  // namespace fettle::physics::detail

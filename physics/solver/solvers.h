@@ -35,8 +35,8 @@ void solve(const SolverInput& input, const JointStep& joint_step, const ContactS
 void limit_pushes(const SolverInput& input, const Columns& columns,
                   std::span<const uint32_t> pressed);
 /// Limits in the same way the bodies of deep contacts between bodies that joints hold at something
-/// fixed, and keeps of the list only the contacts of which a body was too fast.
-void find_jammed(const SolverInput& input, const Columns& columns, std::vector<uint32_t>& pressed);
+/// fixed. Puts the contacts of which a body was too fast to the front, and returns their number.
+size_t find_jammed(const SolverInput& input, const Columns& columns, std::span<uint32_t> pressed);
 /// Must be called after the constraints were solved. Limits the speeds of bodies that are squeezed
 /// between bodies that do not yield.
 void limit_squeezed(const SolverInput& input, const Columns& columns, float dt);

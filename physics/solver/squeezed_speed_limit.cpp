@@ -66,14 +66,37 @@ class Squeezes {
     /// they go through slow bodies too, as through a seesaw to what lies on it.
     void limit_squeezed(uint32_t index) {
         if (!is_squeezed(input_.active.awake_bodies[index - 1]) || !limit(index)) return;
+        through_joints_ = false;
         reach(index, true);
         follow();
     }
-    /// Limits the bodies that a squeezed body throws although it is not thrown itself.
+    /// Limits what a presser throws that touches the body: the pressure goes through deep contacts
+    /// and through joints, and a body that is squeezed somewhere there may stay where it is.
     void limit_pressed(uint32_t index) {
-        if (index == 0 || index > input_.active.awake_bodies.size()) return;
-        if (is_reached(index) || !is_squeezed(input_.active.awake_bodies[index - 1])) return;
-        reach(index, false);
+        if (index > input_.active.awake_bodies.size() || is_reached(index)) return;
+        pressed_.clear();
+        through_joints_ = true;
+        bool any_squeezed = false;
+        const auto add = [&](uint32_t body) {
+            const uint32_t next = input_.objects.bodies[body].solver_index;
+            if (!yields(body) || next == 0 || is_reached(next)) return;
+            reached_.resize(input_.bodies.solver_bodies.size());
+            reached_[next] = 1;
+            pressed_.push_back(next);
+        };
+        add(input_.active.awake_bodies[index - 1]);
+        for (size_t i = 0; i < pressed_.size(); ++i) {
+            const uint32_t body = input_.active.awake_bodies[pressed_[i] - 1];
+            any_squeezed = any_squeezed || is_squeezed(body);
+            for_each_neighbor(body, [&](uint32_t other, bool presses) {
+                if (presses) add(other);
+            });
+        }
+        if (!any_squeezed) return;
+        for (const uint32_t next : pressed_) {
+            const bool thrown = may_be_thrown(next) && limit(next);
+            waiting_.push_back({next, thrown});
+        }
         follow();
     }
 
@@ -115,28 +138,29 @@ class Squeezes {
     }
     void follow() {
         while (!waiting_.empty()) {
-            const Reached next = waiting_.back();
+            const Reached from = waiting_.back();
             waiting_.pop_back();
-            add_neighbors(next);
+            const uint32_t body = input_.active.awake_bodies[from.index - 1];
+            for_each_neighbor(body, [&](uint32_t other, bool presses) {
+                const uint32_t index = input_.objects.bodies[other].solver_index;
+                if (!yields(other) || index == 0 || is_reached(index)) return;
+                const bool thrown = may_be_thrown(index) && limit(index);
+                if (thrown || presses || from.thrown) reach(index, thrown || from.thrown);
+            });
         }
     }
-    void add_neighbors(const Reached from) {
+    /// Calls `visit(other body, whether pressure goes to it)`.
+    void for_each_neighbor(uint32_t body, auto&& visit) const {
         const ObjectState& objects = input_.objects;
-        const uint32_t body = input_.active.awake_bodies[from.index - 1];
-        const auto visit = [&](uint32_t other, bool passes) {
-            const uint32_t neighbor = objects.bodies[other].solver_index;
-            if (!yields(other) || neighbor == 0 || is_reached(neighbor)) return;
-            const bool thrown = may_be_thrown(neighbor) && limit(neighbor);
-            if (thrown || passes) reach(neighbor, thrown || from.thrown);
-        };
         objects.for_each_contact(body, [&](uint32_t contact) {
             const ContactRecord& c = objects.contacts[contact];
             if (!c.acts()) return;
             const uint32_t other = objects.other_body(contact, body);
-            visit(other, from.thrown || depth_of(c) > least_yielding *
-                                                          min(objects.bodies[body].thickness,
-                                                              objects.bodies[other].thickness));
+            const float width =
+                min(objects.bodies[body].thickness, objects.bodies[other].thickness);
+            visit(other, depth_of(c) > least_yielding * width);
         });
+        if (!through_joints_) return;
         objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
             if (objects.joints[joint].moves()) visit(objects.joints[joint].bodies[side ^ 1], true);
         });
@@ -241,8 +265,7 @@ class Squeezes {
             const JointRecord& record = objects.joints[joint];
             const FreeMotion motion = FreeMotion::of(input_, columns_, record.bodies[side ^ 1]);
             const BodyRecord& other = objects.bodies[record.bodies[side ^ 1]];
-            most = max(most, max(length(motion.velocity),
-                                 std::fabs(motion.turn) * other.extent));
+            most = max(most, max(length(motion.velocity), std::fabs(motion.turn) * other.extent));
         });
         return most;
     }
@@ -253,6 +276,10 @@ class Squeezes {
     float least_unyielding_;  ///< depth, m; the direct solver throws a body out before it overlaps
     // Bodies that a squeezed one may have thrown, as indices in the solver.
     std::vector<Reached> waiting_;
+    std::vector<uint32_t> pressed_;
+    /// Only behind a presser: an impact on something fixed has an end, and what joints make of it
+    /// is physics.
+    bool through_joints_ = false;
     std::vector<uint8_t> reached_;  ///< by solver body: 1 if it was or is in `waiting_`
 };
 
@@ -261,16 +288,22 @@ class Squeezes {
 void limit_squeezed(const SolverInput& input, const Columns& columns, float dt) {
     if (!(dt > 1e-12f)) return;
     Squeezes squeezes(input, columns, dt);
-    for (const ActingPiece& piece : input.contacts.acting_pieces) {
-        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
-            const ActingContact& c = input.contacts.acting[i];
-            // A body that touches nothing that does not yield is not squeezed.
-            if (c.moves_a() == c.moves_b()) continue;
-            if (squeezes.may_be_thrown(c.mover()))
-                squeezes.limit_squeezed(c.mover());
-            if (input.bodies.driven) squeezes.limit_pressed(c.mover());
+    const auto for_each_mover = [&](auto&& visit) {
+        for (const ActingPiece& piece : input.contacts.acting_pieces) {
+            for (uint32_t i = piece.begin; i < piece.end(); ++i) {
+                const ActingContact& c = input.contacts.acting[i];
+                if (c.moves_a() != c.moves_b()) visit(c.mover(), c.moves_a() ? c.b() : c.a());
+            }
         }
-    }
+    };
+    if (input.bodies.driven)
+        for_each_mover([&](uint32_t mover, uint32_t other) {
+            if (other != 0) squeezes.limit_pressed(mover);  // the other one is kinematic
+        });
+    // A body that touches nothing that does not yield is not squeezed.
+    for_each_mover([&](uint32_t mover, uint32_t) {
+        if (squeezes.may_be_thrown(mover)) squeezes.limit_squeezed(mover);
+    });
 }
 
 }  // namespace fettle::physics::detail

@@ -194,13 +194,13 @@ void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_st
     begin_sums(input, columns(), steps, sub.h);
     solve(input, joint_step, sub.stiffness, kernels, statistics);
     limit_squeezed(input, columns(), sub.h * float(sub.settings.substeps));
+    size_t jammed = 0;
     if (groups) {
-        limit_pushes(input, columns(), pair_scratch().pressed);
-        limit_strained(input, columns(), pair_scratch().pressed, sub.h);
-        find_jammed(input, columns(), pair_scratch().pressed);
-    } else {
-        pair_scratch().pressed.clear();
+        jammed = find_jammed(input, columns(), pressed);
+        limit_pushes(input, columns(), pressed);
+        limit_strained(input, columns(), pressed, sub.h);
     }
+    pressed.resize(jammed);
     end_sums(input, columns());
 }
 
