@@ -99,10 +99,6 @@ bool is_pressed(const ObjectState& objects, const ContactRecord& c) {
            is_deep(objects, c, listed_share);
 }
 
-bool is_deep(const ObjectState& objects, const ContactRecord& c) {
-    return is_deep(objects, c, held_share);
-}
-
 bool is_pinned(const ObjectState& objects, const ContactRecord& c) {
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
     return c.acts() && a.mobility == Mobility::dynamic && b.mobility == Mobility::dynamic &&

@@ -26,8 +26,6 @@ void part_wedged(const Touching& touching, uint32_t contact);
 
 /// True if two dynamic bodies are pressed into each other, also if the contact is skipped.
 bool is_pressed(const ObjectState& objects, const ContactRecord& contact);
-/// True if the overlap is deeper than that of bodies that a load presses together.
-bool is_deep(const ObjectState& objects, const ContactRecord& contact);
 
 /// True if the contact acts, is deep, and rigid joints hold both bodies at something that does not
 /// move. The joints and the contact may then press against each other: `find_jammed`.

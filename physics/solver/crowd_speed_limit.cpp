@@ -1,9 +1,9 @@
 // Bodies that overlap are pushed apart, each with at most the push speed from its neighbors. In a
-// crowd, where a body overlaps several others deeply, these speeds add up from one body to the
-// next, and the relax pass cannot take all of them away: 500 discs in one spot flew apart with 25
-// m/s, and a body that was made larger inside of a heap threw its neighbors with 15 m/s. So a push
-// there makes no body faster than the push speed and than the bodies that it meets. Momentum is not
-// kept there.
+// crowd, where a body overlaps many others deeply, these speeds add up from one body to the next,
+// and the relax pass cannot take all of them away: 500 discs in one spot flew apart with 25 m/s. So
+// a push in a crowd makes no body faster than the push speed and than the bodies that it meets.
+// Momentum is not kept there. Only worlds with crowded shapes need this
+// (contacts/crowded_shapes.h).
 //
 // The same bound shows which contacts joints cannot resolve. Two bodies that hang on joints and are
 // made to overlap may be unable to part in the direction of the push. Then the contact and the
@@ -20,8 +20,8 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// Number of others that a body in a crowd overlaps deeply.
-constexpr uint32_t least_overlaps = 3;
+/// Number of others that a body overlaps deeply, in the middle of a crowd and at its edge.
+constexpr uint32_t least_overlaps = 3, least_at_edge = 1;
 
 struct OverlapLimits {
     const SolverInput& input;
@@ -30,14 +30,23 @@ struct OverlapLimits {
     static float speed_of(Vec2 velocity, float angular_velocity, const BodyRecord& record) {
         return length(velocity) + std::fabs(angular_velocity) * record.extent;
     }
-    /// True if the body overlaps several others deeply.
-    bool is_crowded(uint32_t body) const {
+    /// True if the body overlaps `least` other bodies by more than a quarter of its thickness.
+    bool overlaps_others(uint32_t body, uint32_t least) const {
+        const BodyRecord& record = input.objects.bodies[body];
+        if (record.lists.contact_count < least || record.mobility != Mobility::dynamic)
+            return false;
         uint32_t overlaps = 0;
         input.objects.for_each_contact(body, [&](uint32_t contact) {
             const ContactRecord& c = input.objects.contacts[contact];
-            overlaps += c.manifold.count > 0 && !c.sensor && is_deep(input.objects, c);
+            const BodyRecord& other = input.objects.bodies[input.objects.other_body(contact, body)];
+            const float deep = -0.25f * min(record.thickness, other.thickness);
+            for (int i = 0; i < c.manifold.count; ++i)
+                if (!c.sensor && c.manifold.points[i].separation < deep) {
+                    ++overlaps;
+                    break;
+                }
         });
-        return overlaps >= least_overlaps;
+        return overlaps >= least;
     }
     /// Speed that the fastest point of a body would have after the step without contacts.
     float free_speed_of(uint32_t body) const {
@@ -81,38 +90,33 @@ struct OverlapLimits {
 
 }  // namespace
 
-void limit_pushes(const SolverInput& input, const Columns& columns,
-                  std::span<const uint32_t> pressed) {
-    if (pressed.empty()) return;
+void limit_pushes(const SolverInput& input, const Columns& columns) {
     const OverlapLimits limits = {input, columns};
     ObjectState& objects = input.objects;
+    const std::vector<uint32_t>& awake = input.active.awake_bodies;
+    if (std::none_of(awake.begin(), awake.end(),
+                     [&](uint32_t body) { return limits.overlaps_others(body, least_overlaps); }))
+        return;
     std::vector<uint32_t> open;
-    std::vector<bool> seen(input.active.awake_bodies.size() + 1);  // by index in the solver
-    seen[0] = true;                                                // bodies that sleep
+    std::vector<bool> seen;  // by index in the solver
     const auto add = [&](uint32_t body) {
         const BodyRecord& record = objects.bodies[body];
         if (record.mobility != Mobility::dynamic || seen[record.solver_index]) return;
         seen[record.solver_index] = true;
         open.push_back(body);
     };
-    for (const uint32_t contact : pressed) {
-        const ContactRecord& c = objects.contacts[contact];
-        for (const uint32_t body : {c.body_a, c.body_b})
-            if (limits.is_crowded(body)) add(body);
-    }
+    seen.resize(awake.size() + 1);
+    seen[0] = true;  // bodies that sleep
+    for (const uint32_t body : awake)
+        if (limits.overlaps_others(body, least_at_edge)) add(body);
     // A body that was too fast may have made the bodies that it pushed too fast as well.
     for (size_t i = 0; i < open.size(); ++i) {
         const uint32_t body = open[i];
-        const bool was_fast = limits.limit(body);
+        if (!limits.limit(body)) continue;
+        input.bodies.limited.push_back(body);
         objects.for_each_contact(body, [&](uint32_t contact) {
             const ContactRecord& c = objects.contacts[contact];
-            if (c.manifold.count == 0 || c.sensor) return;
-            if (was_fast || is_deep(objects, c)) add(objects.other_body(contact, body));
-        });
-        if (!was_fast) continue;
-        input.bodies.limited.push_back(body);
-        objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
-            if (objects.joints[joint].moves()) add(objects.joints[joint].bodies[side ^ 1]);
+            if (c.manifold.count > 0 && !c.sensor) add(objects.other_body(contact, body));
         });
     }
 }

@@ -31,9 +31,8 @@ void solve(const SolverInput& input, const JointStep& joint_step, const ContactS
            const WideKernels& kernels, StepStatistics& statistics);
 
 /// Must be called after the contacts were solved with soft constraints. Limits the speeds of bodies
-/// that are deep in each other. `pressed`: the contacts of bodies that are pressed together.
-void limit_pushes(const SolverInput& input, const Columns& columns,
-                  std::span<const uint32_t> pressed);
+/// in a crowd that is pushed apart.
+void limit_pushes(const SolverInput& input, const Columns& columns);
 /// Limits in the same way the bodies of deep contacts between bodies that joints hold at something
 /// fixed. Puts the contacts of which a body was too fast to the front, and returns their number.
 size_t find_jammed(const SolverInput& input, const Columns& columns, std::span<uint32_t> pressed);

@@ -197,7 +197,7 @@ void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_st
     size_t jammed = 0;
     if (groups) {
         jammed = find_jammed(input, columns(), pressed);
-        limit_pushes(input, columns(), pressed);
+        if (crowded_shapes > 0) limit_pushes(input, columns());
         limit_strained(input, columns(), pressed, sub.h);
     }
     pressed.resize(jammed);

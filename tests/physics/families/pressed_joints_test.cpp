@@ -216,27 +216,6 @@ float speed_in_gate(unsigned seed) {
     return pit.fastest_of_a_second();
 }
 
-/// A body inside of a heap becomes larger. Returns the greatest speed.
-float speed_in_heap(unsigned seed) {
-    Pit pit(seed, 2);
-    for (int i = 0; i < 15; ++i) {
-        const float size = pit.random(0.3f, 0.8f);
-        const Position place = {pit.random(-1.5f, 1.5f), 1 + 0.8f * float(i)};
-        if (pit.random(0, 1) < 0.5f)
-            pit.add(place, Circle{.radius = 0.5f * size});
-        else
-            pit.add(place, Box{.width = size, .height = size * pit.random(0.4f, 1)});
-    }
-    pit.wait(6);
-    Body grown = pit.bodies[size_t(pit.random(0, 14.99f))];
-    const float size = pit.random(1, 3.5f);
-    if (pit.random(0, 1) < 0.5f)
-        grown.shapes()[0].set_geometry(Box{.width = size, .height = size});
-    else
-        grown.shapes()[0].set_geometry(Circle{.radius = 0.5f * size});
-    return pit.fastest_of_a_second();
-}
-
 }  // namespace
 
 TEST_CASE("a ram does not throw what joints connect") {
@@ -267,14 +246,6 @@ TEST_CASE("a crate that grows between welded posts comes to rest") {
     for (unsigned seed = 0; seed < count; ++seed) moving += speed_in_gate(seed) > 0.3f;
     std::printf("in a gate: %u of %u move\n", moving, count);
     CHECK(moving == 0);
-}
-
-TEST_CASE("a body that grows inside of a heap hardly throws its neighbors") {
-    const unsigned count = families::seeds_or(60);
-    float worst = 0;
-    for (unsigned seed = 0; seed < count; ++seed) worst = std::max(worst, speed_in_heap(seed));
-    std::printf("in a heap: at most %.1f m/s\n", double(worst));
-    CHECK(worst < 10);
 }
 
 }  // namespace pressed_joints_test
