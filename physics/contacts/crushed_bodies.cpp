@@ -143,6 +143,15 @@ void clear_impulses_of(ObjectState& objects, uint32_t body) {
                              [&](uint32_t contact) { objects.contacts[contact].clear_impulses(); });
 }
 
+void drop_impulses(ObjectState& objects, std::vector<uint32_t>& bodies) {
+    for (const uint32_t body : bodies) {
+        clear_impulses_of(objects, body);
+        objects.for_each_joint(
+            body, [&](uint32_t joint, uint32_t) { objects.joints[joint].impulses = {}; });
+    }
+    bodies.clear();
+}
+
 bool skip_crushed(const Touching& touching, const ActiveLists& active) {
     ObjectState& objects = touching.objects;
     if (objects.kinematic_bodies == 0) return false;

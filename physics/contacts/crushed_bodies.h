@@ -20,6 +20,9 @@ bool skip_crushed(const Touching& touching, const ActiveLists& active);
 /// Sets the impulses of the contacts of a pressed body to 0. They balance those of what presses it
 /// and are far greater than all other forces on the body: without it they would throw the body.
 void clear_impulses_of(ObjectState& objects, uint32_t body);
+/// The same for the contacts and joints of all bodies of a list, which is empty then. To be called
+/// when the impulses of the step are stored.
+void drop_impulses(ObjectState& objects, std::vector<uint32_t>& bodies);
 
 /// Must be called when the touch of a kinematic body ends: bodies that it pressed together would be
 /// thrown by the stored impulses, which balanced those of the presser.

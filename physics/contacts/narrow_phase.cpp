@@ -198,7 +198,7 @@ void process_pair(const NarrowPhaseInput& in, uint32_t slot) {
     }
     if (!c.sensor && active && may_be_wedged(c)) {
         part_wedged(in.list.touching, slot);
-        if (is_pinned(in.objects, c)) in.scratch.pinned.push_back(slot);
+        if (is_pressed(in.objects, c)) in.scratch.pressed.push_back(slot);
     }
 }
 
@@ -293,7 +293,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
     std::vector<uint32_t>& awake = in.active.awake_contacts;
     std::vector<CollidedPiece>& collided = in.scratch.collided;
     size_t collided_contacts = awake.size(), processed = 0;
-    in.scratch.pinned.clear();
+    in.scratch.pressed.clear();
     size_t pieces = collide_and_create(in);
     wake_for_sensors(in);
     collide_resting(in);

@@ -17,6 +17,8 @@ constexpr float extent_share = 0.25f;
 /// Joints have priority over contacts in which the overlap is more than this part of the smaller
 /// width. No load presses bodies together that much.
 constexpr float held_share = 0.125f;
+/// And they are listed as pressed together from this part on.
+constexpr float listed_share = 0.05f;
 /// The maximum of the cosine of the angle between the normals of two opposing contacts.
 constexpr float opposed = -0.5f;
 /// Maximum number of bodies through which welds are followed.
@@ -90,6 +92,12 @@ bool is_held(const ObjectState& objects, uint32_t body) {
 }
 
 }  // namespace
+
+bool is_pressed(const ObjectState& objects, const ContactRecord& c) {
+    const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];
+    return a.mobility == Mobility::dynamic && b.mobility == Mobility::dynamic &&
+           is_deep(objects, c, listed_share);
+}
 
 bool is_pinned(const ObjectState& objects, const ContactRecord& c) {
     const BodyRecord &a = objects.bodies[c.body_a], &b = objects.bodies[c.body_b];

@@ -24,6 +24,9 @@ inline bool may_be_wedged(const ContactRecord& c) {
 /// Skips the contact, or one that opposes it, if its two bodies are wedged; for this step.
 void part_wedged(const Touching& touching, uint32_t contact);
 
+/// True if two dynamic bodies are pressed into each other, also if the contact is skipped.
+bool is_pressed(const ObjectState& objects, const ContactRecord& contact);
+
 /// True if the contact acts, is deep, and rigid joints hold both bodies at something that does not
 /// move. The joints and the contact may then press against each other: `find_jammed`.
 bool is_pinned(const ObjectState& objects, const ContactRecord& contact);

@@ -89,6 +89,7 @@ struct Motor {
     float speed = 0.0f;
     float greatest = 0.0f;  ///< N or N m; in a step, an impulse
 
+    bool gives_energy() const { return greatest > 0.0f && speed != 0.0f; }
     bool moves_bodies(float velocity) const { return greatest > 0.0f && follows(velocity, speed); }
     /// Its speed, but not beyond a limit. If the motor were as fast there, the limit would have to
     /// hold its whole force, and would yield.
@@ -143,6 +144,7 @@ struct CoordinateSettings {
     };
     static constexpr Names of_angle = {"lower_angle", "upper_angle", "max_motor_torque",
                                        "target_angle"};
+    bool gives_energy() const { return stiffness.is_spring() || motor.gives_energy(); }
     static constexpr Names of_translation = {"lower_translation", "upper_translation",
                                              "max_motor_force", "target_translation"};
     void check(const Names& names) const {

@@ -35,6 +35,7 @@ struct DistanceSettings {
         check_strength("hertz", stiffness.hertz);
         check_not_negative("damping_ratio", stiffness.damping_ratio);
     }
+    bool gives_energy() const { return stiffness.is_spring() || motor.gives_energy(); }
 };
 
 struct DistanceImpulses {

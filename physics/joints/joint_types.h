@@ -37,9 +37,16 @@ class JointFunctions {
         if constexpr (requires { &Constraint::separation; }) measure = separation;
         bool (*is_rigid)(const JointRecord&) = nullptr;
         if constexpr (requires { &Constraint::holds; }) is_rigid = holds;
-        return {name,    sizeof(Constraint), begin, check, measure, is_rigid,
-                prepare, warm_start,         solve, relax, load,    impulses_of,
-                load_on, write_rows,         store};
+        bool (*is_driven)(const JointRecord&) = nullptr;
+        if constexpr (requires { &Settings::gives_energy; }) is_driven = gives_energy;
+        return {name,        sizeof(Constraint),
+                begin,       check,
+                measure,     is_rigid,
+                is_driven,   prepare,
+                warm_start,  solve,
+                relax,       load,
+                impulses_of, load_on,
+                write_rows,  store};
     }
 
   private:
@@ -51,6 +58,9 @@ class JointFunctions {
 
     static bool holds(const JointRecord& joint) {
         return Constraint::holds(joint.settings.as<Settings>());
+    }
+    static bool gives_energy(const JointRecord& joint) {
+        return joint.settings.as<Settings>().gives_energy();
     }
 
     static void prepare(const JointSource& source, JointArray& array, const JointStep& step,

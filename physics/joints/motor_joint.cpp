@@ -34,6 +34,7 @@ struct MotorSettings {
         check_finite("angular_offset", angular_offset);
         stiffness.check();
     }
+    bool gives_energy() const { return true; }
 };
 
 struct MotorConstraint {

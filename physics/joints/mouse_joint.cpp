@@ -20,6 +20,7 @@ struct MouseSettings {
         stiffness.check();
         check_strength("max_force", max_force);
     }
+    bool gives_energy() const { return true; }
 };
 
 struct MouseConstraint {

@@ -12,6 +12,7 @@ struct PinSlotSettings {
     RailSettings rail;
 
     void check() const { rail.check(); }
+    bool gives_energy() const { return rail.gives_energy(); }
 };
 
 using PinSlotImpulses = SlotConstraint::Impulses;

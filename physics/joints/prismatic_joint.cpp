@@ -24,6 +24,7 @@ struct PrismaticSettings {
         rail.check();
         check_finite("reference_angle", reference_angle);
     }
+    bool gives_energy() const { return rail.gives_energy(); }
 };
 
 struct PrismaticImpulses {

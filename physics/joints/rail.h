@@ -24,6 +24,7 @@ struct RailSettings {
         check_direction("axis", axis);
         along.check(CoordinateSettings::of_translation);
     }
+    bool gives_energy() const { return along.gives_energy(); }
     float separation(const JointPlace& place) const {
         const Vec2 direction = rotate(place.a, normalized(axis)), gap = place.gap();
         return length({cross(direction, gap), along.limits.beyond(dot(direction, gap))});

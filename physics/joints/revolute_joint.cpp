@@ -28,6 +28,7 @@ struct RevoluteSettings {
         check_finite("reference_angle", reference_angle);
         angle.check(CoordinateSettings::of_angle);
     }
+    bool gives_energy() const { return angle.gives_energy(); }
 };
 
 struct RevoluteImpulses {

@@ -31,6 +31,7 @@ struct WeldSettings {
         check_strength("angular_hertz", angle.hertz);
         check_not_negative("angular_damping_ratio", angle.damping_ratio);
     }
+    bool gives_energy() const { return point.is_spring() || angle.is_spring(); }
 };
 
 struct WeldConstraint {

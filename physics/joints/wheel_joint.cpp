@@ -18,6 +18,7 @@ struct WheelSettings {
         check_finite("motor_speed", motor.speed);
         check_strength("max_motor_torque", motor.greatest);
     }
+    bool gives_energy() const { return rail.gives_energy() || motor.gives_energy(); }
 };
 
 struct WheelImpulses {

@@ -11,6 +11,7 @@
 // faster. A push explains no more than the push speed, so such a contact does not act until the
 // shapes have parted: the joints have priority (contacts/held_open.h).
 
+#include <contacts/wedged_bodies.h>
 #include <solver/free_motion.h>
 
 #include <algorithm>
@@ -112,22 +113,23 @@ void limit_pushes(const SolverInput& input, const Columns& columns) {
     for (size_t i = 0; i < open.size(); ++i) {
         const uint32_t body = open[i];
         if (!limits.limit(body)) continue;
+        input.bodies.limited.push_back(body);
         objects.for_each_contact(body, [&](uint32_t contact) {
-            ContactRecord& c = objects.contacts[contact];
-            if (c.manifold.count == 0 || c.sensor) return;
-            add(objects.other_body(contact, body));
-            c.clear_impulses();  // those of a body that was too fast are too large
+            const ContactRecord& c = objects.contacts[contact];
+            if (c.manifold.count > 0 && !c.sensor) add(objects.other_body(contact, body));
         });
     }
 }
 
-void find_jammed(const SolverInput& input, const Columns& columns, std::vector<uint32_t>& pinned) {
+size_t find_jammed(const SolverInput& input, const Columns& columns, std::span<uint32_t> pressed) {
     const OverlapLimits limits = {input, columns};
-    std::erase_if(pinned, [&](uint32_t contact) {
+    const auto end = std::stable_partition(pressed.begin(), pressed.end(), [&](uint32_t contact) {
         const ContactRecord& c = input.objects.contacts[contact];
+        if (!is_pinned(input.objects, c)) return false;
         const bool a_was_fast = limits.limit(c.body_a), b_was_fast = limits.limit(c.body_b);
-        return !a_was_fast && !b_was_fast;
+        return a_was_fast || b_was_fast;
     });
+    return size_t(end - pressed.begin());
 }
 
 }  // namespace fettle::physics::detail

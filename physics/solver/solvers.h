@@ -34,11 +34,16 @@ void solve(const SolverInput& input, const JointStep& joint_step, const ContactS
 /// in a crowd that is pushed apart.
 void limit_pushes(const SolverInput& input, const Columns& columns);
 /// Limits in the same way the bodies of deep contacts between bodies that joints hold at something
-/// fixed, and removes from the list the contacts of which no body was too fast.
-void find_jammed(const SolverInput& input, const Columns& columns, std::vector<uint32_t>& pinned);
+/// fixed. Puts the contacts of which a body was too fast to the front, and returns their number.
+size_t find_jammed(const SolverInput& input, const Columns& columns, std::span<uint32_t> pressed);
 /// Must be called after the constraints were solved. Limits the speeds of bodies that are squeezed
 /// between bodies that do not yield.
 void limit_squeezed(const SolverInput& input, const Columns& columns, float dt);
+
+/// Limits the kinetic energy of groups of bodies that joints and contacts connect, if some of them
+/// are pressed together. `h`: length of a sub-step, s.
+void limit_strained(const SolverInput& input, const Columns& columns,
+                    std::span<const uint32_t> pressed, float h);
 
 void solve_softly(const SolverInput& input, const JointStep& joint_step,
                   const ContactStiffness& stiffness, const WideKernels& kernels);

@@ -66,14 +66,38 @@ class Squeezes {
     /// they go through slow bodies too, as through a seesaw to what lies on it.
     void limit_squeezed(uint32_t index) {
         if (!is_squeezed(input_.active.awake_bodies[index - 1]) || !limit(index)) return;
-        reached_.resize(input_.bodies.solver_bodies.size());
-        add_neighbors(index);
-        while (!waiting_.empty()) {
-            const uint32_t next = waiting_.back();
-            waiting_.pop_back();
-            if (may_be_thrown(next)) limit(next);
-            add_neighbors(next);
+        through_joints_ = false;
+        reach(index, true);
+        follow();
+    }
+    /// Limits what a presser throws that touches the body: the pressure goes through deep contacts
+    /// and through joints, and a body that is squeezed somewhere there may stay where it is.
+    void limit_pressed(uint32_t index) {
+        if (index > input_.active.awake_bodies.size() || is_reached(index)) return;
+        pressed_.clear();
+        through_joints_ = true;
+        bool any_squeezed = false;
+        const auto add = [&](uint32_t body) {
+            const uint32_t next = input_.objects.bodies[body].solver_index;
+            if (!yields(body) || next == 0 || is_reached(next)) return;
+            reached_.resize(input_.bodies.solver_bodies.size());
+            reached_[next] = 1;
+            pressed_.push_back(next);
+        };
+        add(input_.active.awake_bodies[index - 1]);
+        for (size_t i = 0; i < pressed_.size(); ++i) {
+            const uint32_t body = input_.active.awake_bodies[pressed_[i] - 1];
+            any_squeezed = any_squeezed || is_squeezed(body);
+            for_each_neighbor(body, [&](uint32_t other, bool presses) {
+                if (presses) add(other);
+            });
         }
+        if (!any_squeezed) return;
+        for (const uint32_t next : pressed_) {
+            const bool thrown = may_be_thrown(next) && limit(next);
+            waiting_.push_back({next, thrown});
+        }
+        follow();
     }
 
   private:
@@ -88,10 +112,7 @@ class Squeezes {
         const float turn = max(std::fabs(b.angular_velocity), std::fabs(b.turn) / dt_);
         const float most = greatest_speed_of(body, own);
         const float extent = input_.objects.bodies[body].extent;
-        // A motor may turn it.
-        const bool jointed = input_.objects.bodies[body].lists.first_joint != none;
-        const float most_turn =
-            jointed ? infinity : max(most / max(extent, 1e-6f), std::fabs(own.turn));
+        const float most_turn = max(most / max(extent, 1e-6f), std::fabs(own.turn));
         if (!(speed > most) && !(turn > most_turn)) return false;
         const auto scale = [](float value, float limit) {
             return value > limit ? limit / value : 1.0f;
@@ -100,21 +121,48 @@ class Squeezes {
         b.shift = scale(length(b.shift), dt_ * most) * b.shift;
         b.angular_velocity *= scale(std::fabs(b.angular_velocity), most_turn);
         b.turn *= scale(std::fabs(b.turn), dt_ * most_turn);
-        input_.objects.for_each_contact(body, [&](uint32_t contact) {
-            ContactRecord& c = input_.objects.contacts[contact];
-            if (c.acts()) c.clear_impulses();  // they are too large
-        });
+        input_.bodies.limited.push_back(body);
         return true;
     }
 
-    void add_neighbors(uint32_t index) {
-        const uint32_t body = input_.active.awake_bodies[index - 1];
-        input_.objects.for_each_contact(body, [&](uint32_t contact) {
-            const uint32_t other = input_.objects.other_body(contact, body);
-            if (!input_.objects.contacts[contact].acts() || !yields(other)) return;
-            const uint32_t neighbor = input_.objects.bodies[other].solver_index;
-            if (std::exchange(reached_[neighbor], 1)) return;
-            waiting_.push_back(neighbor);
+    /// A body that was reached, and whether the impulses on it are known to be too large.
+    struct Reached {
+        uint32_t index;
+        bool thrown;
+    };
+
+    bool is_reached(uint32_t index) const { return !reached_.empty() && reached_[index] != 0; }
+    void reach(uint32_t index, bool thrown) {
+        reached_.resize(input_.bodies.solver_bodies.size());
+        if (!std::exchange(reached_[index], 1)) waiting_.push_back({index, thrown});
+    }
+    void follow() {
+        while (!waiting_.empty()) {
+            const Reached from = waiting_.back();
+            waiting_.pop_back();
+            const uint32_t body = input_.active.awake_bodies[from.index - 1];
+            for_each_neighbor(body, [&](uint32_t other, bool presses) {
+                const uint32_t index = input_.objects.bodies[other].solver_index;
+                if (!yields(other) || index == 0 || is_reached(index)) return;
+                const bool thrown = may_be_thrown(index) && limit(index);
+                if (thrown || presses || from.thrown) reach(index, thrown || from.thrown);
+            });
+        }
+    }
+    /// Calls `visit(other body, whether pressure goes to it)`.
+    void for_each_neighbor(uint32_t body, auto&& visit) const {
+        const ObjectState& objects = input_.objects;
+        objects.for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = objects.contacts[contact];
+            if (!c.acts()) return;
+            const uint32_t other = objects.other_body(contact, body);
+            const float width =
+                min(objects.bodies[body].thickness, objects.bodies[other].thickness);
+            visit(other, depth_of(c) > least_yielding * width);
+        });
+        if (!through_joints_) return;
+        objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
+            if (objects.joints[joint].moves()) visit(objects.joints[joint].bodies[side ^ 1], true);
         });
     }
 
@@ -207,14 +255,17 @@ class Squeezes {
             for (int k = 0; k < c.manifold.count; ++k) {
                 const ManifoldPoint& p = c.manifold.points[k];
                 const Vec2 arm = other == c.body_a ? p.anchor_a : p.anchor_b;
-                most = max(most, (1.0f + c.restitution) * length(motion.at(arm)) +
-                                     std::fabs(c.surface_speed));
+                const float speed = yields(other) ? max(length(motion.velocity),
+                                                        std::fabs(motion.turn) * length(arm))
+                                                  : length(motion.at(arm));
+                most = max(most, (1.0f + c.restitution) * speed + std::fabs(c.surface_speed));
             }
         });
         objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
-            const FreeMotion motion =
-                FreeMotion::of(input_, columns_, objects.joints[joint].bodies[side ^ 1]);
-            most = max(most, length(motion.velocity));
+            const JointRecord& record = objects.joints[joint];
+            const FreeMotion motion = FreeMotion::of(input_, columns_, record.bodies[side ^ 1]);
+            const BodyRecord& other = objects.bodies[record.bodies[side ^ 1]];
+            most = max(most, max(length(motion.velocity), std::fabs(motion.turn) * other.extent));
         });
         return most;
     }
@@ -224,7 +275,11 @@ class Squeezes {
     float dt_, inverse_dt2_;
     float least_unyielding_;  ///< depth, m; the direct solver throws a body out before it overlaps
     // Bodies that a squeezed one may have thrown, as indices in the solver.
-    std::vector<uint32_t> waiting_;
+    std::vector<Reached> waiting_;
+    std::vector<uint32_t> pressed_;
+    /// Only behind a presser: an impact on something fixed has an end, and what joints make of it
+    /// is physics.
+    bool through_joints_ = false;
     std::vector<uint8_t> reached_;  ///< by solver body: 1 if it was or is in `waiting_`
 };
 
@@ -233,14 +288,22 @@ class Squeezes {
 void limit_squeezed(const SolverInput& input, const Columns& columns, float dt) {
     if (!(dt > 1e-12f)) return;
     Squeezes squeezes(input, columns, dt);
-    for (const ActingPiece& piece : input.contacts.acting_pieces) {
-        for (uint32_t i = piece.begin; i < piece.end(); ++i) {
-            const ActingContact& c = input.contacts.acting[i];
-            // A body that touches nothing that does not yield is not squeezed.
-            if (c.moves_a() != c.moves_b() && squeezes.may_be_thrown(c.mover()))
-                squeezes.limit_squeezed(c.mover());
+    const auto for_each_mover = [&](auto&& visit) {
+        for (const ActingPiece& piece : input.contacts.acting_pieces) {
+            for (uint32_t i = piece.begin; i < piece.end(); ++i) {
+                const ActingContact& c = input.contacts.acting[i];
+                if (c.moves_a() != c.moves_b()) visit(c.mover(), c.moves_a() ? c.b() : c.a());
+            }
         }
-    }
+    };
+    if (input.bodies.driven)
+        for_each_mover([&](uint32_t mover, uint32_t other) {
+            if (other != 0) squeezes.limit_pressed(mover);  // the other one is kinematic
+        });
+    // A body that touches nothing that does not yield is not squeezed.
+    for_each_mover([&](uint32_t mover, uint32_t) {
+        if (squeezes.may_be_thrown(mover)) squeezes.limit_squeezed(mover);
+    });
 }
 
 }  // namespace fettle::physics::detail

@@ -52,6 +52,8 @@ struct JointKind {
     /// Whether the joint holds a point or a length rigidly. Null: it cannot, and ignores
     /// `JointEnds::share`.
     bool (*holds)(const JointRecord& joint);
+    /// Whether a motor or a spring of the joint may give energy to its bodies. Null: it has none.
+    bool (*gives_energy)(const JointRecord& joint);
     /// Writes constraints from the records of the joints.
     void (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
                     JointRange range);

@@ -41,12 +41,12 @@ struct PairScratch {
     std::vector<Tree::NodePair> parts_of_walk;
     std::vector<CollidedPiece> collided;
     std::vector<ContactRecord> parted;  ///< last touches of parts of outlines that ended
-    /// Deep contacts between bodies that joints hold at something fixed (contacts/wedged_bodies.h);
-    /// after the solver, those in which the joints have priority.
-    std::vector<uint32_t> pinned;
+    /// Contacts whose bodies are pressed into each other (contacts/wedged_bodies.h); after the
+    /// solver, those in which joints have priority.
+    std::vector<uint32_t> pressed;
 
     FETTLE_SCRATCH(PairScratch, s.relocated, s.new_pairs, s.spare_pairs, s.found_pairs, s.finds,
-                   s.crowded, s.still_crowded, s.parts_of_walk, s.collided, s.parted, s.pinned)
+                   s.crowded, s.still_crowded, s.parts_of_walk, s.collided, s.parted, s.pressed)
 };
 
 /// The bodies of the solver. Their index is the index in the list of awake bodies plus 1; 0 is the
@@ -57,16 +57,19 @@ struct BodyScratch {
     /// are fixed, so that a step writes only those of the awake bodies.
     std::vector<SolverEnd> solver_ends;
     std::vector<SolverForce> solver_forces;
-    std::vector<uint8_t> gathered;           ///< results of the pieces of the list of awake bodies
-    std::vector<uint32_t> locked;            ///< bodies with a locked axis or a maximum speed
-    std::vector<uint32_t> maybe_crowded;     ///< slots of bodies that many joints may crowd
+    std::vector<uint8_t> gathered;        ///< results of the pieces of the list of awake bodies
+    std::vector<uint32_t> locked;         ///< bodies with a locked axis or a maximum speed
+    std::vector<uint32_t> maybe_crowded;  ///< slots of bodies that many joints may crowd
+    /// Slots of bodies whose speed was limited: their stored impulses are too large.
+    std::vector<uint32_t> limited;
     std::vector<uint8_t> bounced;            ///< by body: the last pass of impacts that changed it
     std::vector<FirstImpact> first_impacts;  ///< by body
     bool axes_locked = false;                ///< some awake body is locked along x or y
     bool driven = false;                     ///< some awake body is kinematic
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
-                   s.locked, s.maybe_crowded, s.bounced, s.first_impacts, s.axes_locked, s.driven)
+                   s.locked, s.maybe_crowded, s.limited, s.bounced, s.first_impacts, s.axes_locked,
+                   s.driven)
 };
 
 /// The acting joints of one type in a step, in the order of their nodes.

@@ -193,12 +193,14 @@ void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_st
         threads,           groups ? std::span(self.sums) : std::span<VelocitySums>()};
     begin_sums(input, columns(), steps, sub.h);
     solve(input, joint_step, sub.stiffness, kernels, statistics);
-    if (groups && crowded_shapes > 0) limit_pushes(input, columns());
-    if (groups)
-        find_jammed(input, columns(), pair_scratch().pinned);
-    else
-        pair_scratch().pinned.clear();
     limit_squeezed(input, columns(), sub.h * float(sub.settings.substeps));
+    size_t jammed = 0;
+    if (groups) {
+        jammed = find_jammed(input, columns(), pressed);
+        if (crowded_shapes > 0) limit_pushes(input, columns());
+        limit_strained(input, columns(), pressed, sub.h);
+    }
+    pressed.resize(jammed);
     end_sums(input, columns());
 }
 
@@ -208,8 +210,9 @@ void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, 
     store_joints(objects(), body_scratch(), joint_scratch(), joint_step, threads);
     break_joints(editing(), joint_scratch(), joint_step.inverse_h / float(sub.settings.substeps));
     store_contacts(contact_scratch(), touching(), settings.hit_threshold, threads);
+    drop_impulses(objects(), body_scratch().limited);
     release_held_open(touching(), joint_scratch(), joint_step.h);
-    for (const uint32_t contact : pair_scratch().pinned)
+    for (const uint32_t contact : pair_scratch().pressed)
         skip_contact(touching(), contact, Skipped::crushed);
     if (settings.persist_events)
         report_persisting(objects(), columns(), active(), uint32_t(steps), sub.settings.substeps,
