@@ -19,7 +19,7 @@ void Session::fail(const script::ScriptError& error) {
         return;
     }
     run_.failed = true;
-    report_error(error);
+    if (repeated_.first(error)) show_error(error);
     if (!loop_->halted()) {
         run_.failed_branch = services_->clock.branch;
         if (listener_)
@@ -27,16 +27,18 @@ void Session::fail(const script::ScriptError& error) {
                              ": go_on() lets it go on, also after rewind(2)");
     }
     loop_->halt();
-    if (receivers_.errors && !receivers_.output) receivers_.errors(error);
+    if (receivers_.errors) receivers_.errors(error);
 }
 
 /// A method that fails for each of a hundred instances is reported once, with the count.
 void Session::report_error(const script::ScriptError& error) {
     if (!repeated_.first(error)) return;
-    if (!receivers_.output)
-        print_error_lines(app::error_text(error));
-    else if (receivers_.errors)
-        receivers_.errors(error);
+    show_error(error);
+    if (receivers_.output && receivers_.errors) receivers_.errors(error);
+}
+
+void Session::show_error(const script::ScriptError& error) {
+    if (!receivers_.output) print_error_lines(app::error_text(error));
     if (listener_) listener_->print(app::error_text(error));
     if (console_) console_->report(error);
 }

@@ -130,6 +130,18 @@ TEST_CASE("commands from a file are run one after another") {
     CHECK(!contains(outcome.out, "too late"));
 }
 
+TEST_CASE("an error at which the game halts again is printed again") {
+    const Folder folder;
+    const std::string game =
+        folder.write("game/main.lua", "function step() error('each step') end\n");
+    const Outcome outcome = repl(folder, "advance(0.1)\ngo_on()\nadvance(0.1)\n", {game});
+    INFO(outcome.out << outcome.err);
+    const std::string line = "error in step: main.lua:1: each step";
+    const std::size_t first = outcome.err.find(line);
+    REQUIRE(first != std::string::npos);
+    CHECK(outcome.err.find(line, first + 1) != std::string::npos);
+}
+
 TEST_CASE("a game stands still between commands from a file") {
     const Folder folder;
     const std::string game =

@@ -52,9 +52,11 @@ void UnfitValues::add(const Property& property, Value saved) {
     if (of.count++ == 0) of.first = std::move(saved);
 }
 
-void UnfitValues::add_removed(const Class& of, std::string_view property, Value saved) {
+void UnfitValues::add_removed(const Class& of, std::string_view property, Value saved,
+                              std::size_t count) {
     OfProperty& removed = all_[of.name() + "." + std::string(property)];
-    if (removed.count++ > 0) return;
+    removed.count += count;
+    if (removed.count > count) return;
     removed.first = std::move(saved);
     std::vector<std::string> names;
     for (const Property* declared : of.properties()) names.push_back(declared->name);

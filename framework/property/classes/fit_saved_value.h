@@ -16,8 +16,9 @@ namespace fettle::property {
 class UnfitValues {
   public:
     void add(const Property& property, Value saved);
-    /// A value of a property that the class no longer has.
-    void add_removed(const Class& of, std::string_view property, Value saved);
+    /// Values of a property that the class no longer has, of which `saved` is the first.
+    void add_removed(const Class& of, std::string_view property, Value saved,
+                     std::size_t count = 1);
     /// One line for each property, sorted by name.
     std::vector<std::string> lines() const;
 

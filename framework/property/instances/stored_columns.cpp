@@ -302,8 +302,11 @@ StoredColumns StoredColumns::load(ByteReader& from, const Class& of, std::size_t
         const Property* property = of.property(name);
         if (property == nullptr) {
             const std::vector<Value> saved = any_values(block, kind, read.rows_, {});
+            const Value* first = nullptr;
+            std::size_t count = 0;
             for (std::uint32_t row = 0; row < read.rows_; ++row)
-                if (!free[row] && !saved[row].is_nil()) unfit.add_removed(of, name, saved[row]);
+                if (!free[row] && !saved[row].is_nil() && count++ == 0) first = &saved[row];
+            if (first != nullptr) unfit.add_removed(of, name, *first, count);
             continue;
         }
         if (property->binding.kind != BindingKind::stored) continue;

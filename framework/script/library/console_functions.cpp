@@ -83,16 +83,22 @@ int unpin(lua_State* L) {
     return 0;
 }
 
-int pins(lua_State* L) {
-    const auto* function = served(machine_of(L), &ConsoleFunctions::pins, "pins");
+/// The table of the names and values that the console gives.
+template <auto member>
+int push_named(lua_State* L, const char* what) {
+    const auto* function = served(machine_of(L), member, what);
     lua_newtable(L);
     if (function == nullptr) return 1;
-    for (const auto& [text, value] : (*function)()) {
-        push_text(L, text);
-        push_value(L, value);
+    for (const auto& [name, value] : (*function)()) {
+        push_text(L, name);
+        push_value(L, property::Value(value));
         lua_rawset(L, -3);
     }
     return 1;
+}
+
+int pins(lua_State* L) {
+    return push_named<&ConsoleFunctions::pins>(L, "pins");
 }
 
 int plot(lua_State* L) {
@@ -243,25 +249,12 @@ int bind(lua_State* L) {
     return 0;
 }
 
-template <auto member>
-int push_commands(lua_State* L, const char* what) {
-    const auto* function = served(machine_of(L), member, what);
-    lua_newtable(L);
-    if (function == nullptr) return 1;
-    for (const auto& [name, command] : (*function)()) {
-        push_text(L, name);
-        push_text(L, command);
-        lua_rawset(L, -3);
-    }
-    return 1;
-}
-
 int binds(lua_State* L) {
-    return push_commands<&ConsoleFunctions::binds>(L, "binds");
+    return push_named<&ConsoleFunctions::binds>(L, "binds");
 }
 
 int aliases(lua_State* L) {
-    return push_commands<&ConsoleFunctions::aliases>(L, "aliases");
+    return push_named<&ConsoleFunctions::aliases>(L, "aliases");
 }
 
 int alias(lua_State* L) {
