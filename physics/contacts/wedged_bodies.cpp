@@ -45,10 +45,20 @@ bool are_welded(const ObjectState& objects, uint32_t a, uint32_t b) {
     return found;
 }
 
+/// True if the shape is all of its body: the body has no others, and the shape has no parts.
+bool is_whole_body(const ObjectState& objects, uint32_t shape) {
+    const BodyLists& lists = objects.bodies[objects.forms[shape].body].lists;
+    return lists.first_shape == shape && lists.last_shape == shape;
+}
+
 /// The contact that opposes `contact`, of a body and the other one or what is welded to it.
 uint32_t opposing_contact(const ObjectState& objects, uint32_t contact, uint32_t body) {
     const ContactRecord& c = objects.contacts[contact];
     const uint32_t other = objects.other_body(contact, body);
+    // Most bodies have one shape. Two of them have no other contact with each other.
+    if (objects.bodies[other].lists.first_joint == none && is_whole_body(objects, c.shape_a) &&
+        is_whole_body(objects, c.shape_b))
+        return none;
     const Vec2 push = normal_towards(body, c);
     const float depth = overlap_of(c.manifold);
     const float width = min(objects.bodies[body].thickness, objects.bodies[other].thickness);

@@ -6,11 +6,13 @@
 // nor an impulse that was stored throws it. Its impulses act on what it touches too, so the same
 // holds for the bodies that it threw. Momentum is not kept there; the presser has none to lose.
 
+#include <solver/contacts_of_bodies.h>
 #include <solver/free_motion.h>
 #include <state/limits.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -65,7 +67,7 @@ class Squeezes {
     /// Limits the body if it is squeezed and thrown, then all that its impulses may have thrown:
     /// they go through slow bodies too, as through a seesaw to what lies on it.
     void limit_squeezed(uint32_t index) {
-        if (!is_squeezed(input_.active.awake_bodies[index - 1]) || !limit(index)) return;
+        if (!is_squeezed(body_at(index)) || !limit(index)) return;
         through_joints_ = false;
         reach(index, true);
         follow();
@@ -77,19 +79,17 @@ class Squeezes {
         pressed_.clear();
         through_joints_ = true;
         bool any_squeezed = false;
-        const auto add = [&](uint32_t body) {
-            const uint32_t next = input_.objects.bodies[body].solver_index;
-            if (!yields(body) || next == 0 || is_reached(next)) return;
+        const auto add = [&](uint32_t next) {
+            if (!is_followed(next)) return;
             reached_.resize(input_.bodies.solver_bodies.size());
             reached_[next] = 1;
             pressed_.push_back(next);
         };
-        add(input_.active.awake_bodies[index - 1]);
+        add(index);
         for (size_t i = 0; i < pressed_.size(); ++i) {
-            const uint32_t body = input_.active.awake_bodies[pressed_[i] - 1];
-            any_squeezed = any_squeezed || is_squeezed(body);
-            for_each_neighbor(body, [&](uint32_t other, bool presses) {
-                if (presses) add(other);
+            any_squeezed = any_squeezed || is_squeezed(body_at(pressed_[i]));
+            for_each_neighbor(pressed_[i], [&](uint32_t next, auto&& is_pressed) {
+                if (is_pressed()) add(next);
             });
         }
         if (!any_squeezed) return;
@@ -104,16 +104,25 @@ class Squeezes {
     static float squared(float value) { return value * value; }
 
     /// False if the body is not faster than what it touches can make it.
-    bool limit(uint32_t index) const {
-        const uint32_t body = input_.active.awake_bodies[index - 1];
+    bool limit(uint32_t index) {
+        const uint32_t body = body_at(index);
         SolverBody& b = input_.bodies.solver_bodies[index];
         const FreeMotion own = own_motion(index);
         const float speed = max(length(b.velocity), length(b.shift) / dt_);
         const float turn = max(std::fabs(b.angular_velocity), std::fabs(b.turn) / dt_);
-        const float most = greatest_speed_of(body, own);
-        const float extent = input_.objects.bodies[body].extent;
-        const float most_turn = max(most / max(extent, 1e-6f), std::fabs(own.turn));
-        if (!(speed > most) && !(turn > most_turn)) return false;
+        const float extent = max(input_.objects.bodies[body].extent, 1e-6f);
+        const auto most_turn_at = [&](float most) {
+            return max(most / extent, std::fabs(own.turn));
+        };
+        const auto is_slow = [&](float most) {
+            return !(speed > most) && !(turn > most_turn_at(most));
+        };
+        // What it touches can only make it faster, and is looked at only if that matters.
+        const float least = max(length(own.velocity), input_.settings.push_speed);
+        if (is_slow(least)) return false;
+        const float most = greatest_speed_of(index, least);
+        if (is_slow(most)) return false;
+        const float most_turn = most_turn_at(most);
         const auto scale = [](float value, float limit) {
             return value > limit ? limit / value : 1.0f;
         };
@@ -140,35 +149,46 @@ class Squeezes {
         while (!waiting_.empty()) {
             const Reached from = waiting_.back();
             waiting_.pop_back();
-            const uint32_t body = input_.active.awake_bodies[from.index - 1];
-            for_each_neighbor(body, [&](uint32_t other, bool presses) {
-                const uint32_t index = input_.objects.bodies[other].solver_index;
-                if (!yields(other) || index == 0 || is_reached(index)) return;
-                const bool thrown = may_be_thrown(index) && limit(index);
-                if (thrown || presses || from.thrown) reach(index, thrown || from.thrown);
+            for_each_neighbor(from.index, [&](uint32_t index, auto&& is_pressed) {
+                if (!is_followed(index)) return;
+                const bool limited = may_be_thrown(index) && limit(index);
+                const bool thrown = from.thrown || limited;
+                if (thrown || is_pressed()) reach(index, thrown);
             });
         }
     }
-    /// Calls `visit(other body, whether pressure goes to it)`.
-    void for_each_neighbor(uint32_t body, auto&& visit) const {
+    /// Calls `visit(index of the other body, function that returns whether pressure goes to it)`.
+    void for_each_neighbor(uint32_t index, auto&& visit) {
         const ObjectState& objects = input_.objects;
-        objects.for_each_contact(body, [&](uint32_t contact) {
-            const ContactRecord& c = objects.contacts[contact];
-            if (!c.acts()) return;
-            const uint32_t other = objects.other_body(contact, body);
-            const float width =
-                min(objects.bodies[body].thickness, objects.bodies[other].thickness);
-            visit(other, depth_of(c) > least_yielding * width);
-        });
+        for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
+            visit(contact.other, [&] {
+                const ContactRecord& c = objects.contacts[contact.slot];
+                const float width =
+                    min(objects.bodies[c.body_a].thickness, objects.bodies[c.body_b].thickness);
+                return depth_of(c) > least_yielding * width;
+            });
+        }
         if (!through_joints_) return;
-        objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
-            if (objects.joints[joint].moves()) visit(objects.joints[joint].bodies[side ^ 1], true);
+        objects.for_each_joint(body_at(index), [&](uint32_t joint, uint32_t side) {
+            if (!objects.joints[joint].moves()) return;
+            const uint32_t other = objects.joints[joint].bodies[side ^ 1];
+            visit(objects.bodies[other].solver_index, [] { return true; });
         });
+    }
+    std::span<const ContactsOfBodies::Contact> contacts_of(uint32_t index) {
+        if (!contacts_) contacts_.emplace(input_.contacts, input_.bodies.solver_bodies.size());
+        return contacts_->of(index);
+    }
+    uint32_t body_at(uint32_t index) const { return input_.active.awake_bodies[index - 1]; }
+    /// True if the body is awake and yields, and was not reached yet.
+    bool is_followed(uint32_t index) const {
+        return index != 0 && index <= input_.active.awake_bodies.size() && !is_reached(index) &&
+               yields(body_at(index));
     }
 
     FreeMotion own_motion(uint32_t index) const {
-        return {columns_.states[input_.active.awake_bodies[index - 1]],
-                input_.bodies.solver_forces[index], float(input_.settings.substeps)};
+        return {columns_.states[body_at(index)], input_.bodies.solver_forces[index],
+                float(input_.settings.substeps)};
     }
 
     /// Maximum number of contacts of a body that are compared with its other contacts.
@@ -243,14 +263,14 @@ class Squeezes {
         return input_.bodies.solver_bodies[input_.objects.bodies[body].solver_index];
     }
 
-    /// The greatest speed that the body can get from forces, what it touches, and joints.
-    float greatest_speed_of(uint32_t body, const FreeMotion& own) const {
+    /// The greatest speed that the body can get from what it touches and from joints, m/s, but at
+    /// least `most`.
+    float greatest_speed_of(uint32_t index, float most) {
         const ObjectState& objects = input_.objects;
-        float most = max(length(own.velocity), input_.settings.push_speed);
-        objects.for_each_contact(body, [&](uint32_t contact) {
-            const ContactRecord& c = objects.contacts[contact];
-            if (!c.acts()) return;
-            const uint32_t other = objects.other_body(contact, body);
+        const uint32_t body = body_at(index);
+        for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
+            const ContactRecord& c = objects.contacts[contact.slot];
+            const uint32_t other = objects.other_body(contact.slot, body);
             const FreeMotion motion = FreeMotion::of(input_, columns_, other);
             for (int k = 0; k < c.manifold.count; ++k) {
                 const ManifoldPoint& p = c.manifold.points[k];
@@ -260,7 +280,7 @@ class Squeezes {
                                                   : length(motion.at(arm));
                 most = max(most, (1.0f + c.restitution) * speed + std::fabs(c.surface_speed));
             }
-        });
+        }
         objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
             const JointRecord& record = objects.joints[joint];
             const FreeMotion motion = FreeMotion::of(input_, columns_, record.bodies[side ^ 1]);
@@ -274,6 +294,7 @@ class Squeezes {
     const Columns& columns_;
     float dt_, inverse_dt2_;
     float least_unyielding_;  ///< depth, m; the direct solver throws a body out before it overlaps
+    std::optional<ContactsOfBodies> contacts_;  ///< made when the first body is limited
     // Bodies that a squeezed one may have thrown, as indices in the solver.
     std::vector<Reached> waiting_;
     std::vector<uint32_t> pressed_;
