@@ -199,30 +199,4 @@ void ContactSolver::relax(std::span<const uint32_t> some) {
     for (const uint32_t i : some) relax(constraints[i]);
 }
 
-void ContactSolver::restitute() {
-    if (extras.empty()) return;
-    for (ContactConstraint& c : constraints) {
-        if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
-        ContactExtra& extra = extras[c.extra - 1];
-        SolverBody& a = bodies[c.a];
-        SolverBody& b = bodies[c.b];
-        SolvedPair pair(c, a, b);
-        for (int k = 0; k < c.count; ++k) {
-            ConstraintPoint& p = c.points[k];
-            if (extra.approach[k] > -restitution_threshold || !(extra.greatest[k] > 0.0f)) continue;
-            const float velocity = dot(c.normal, pair.vb - pair.va) +
-                                   (p.normal_lever_b * pair.wb - p.normal_lever_a * pair.wa);
-            const float wanted =
-                -p.normal_mass * (velocity + extra.restitution * extra.approach[k]);
-            const float total = max(p.normal_impulse + wanted, 0.0f);
-            const float impulse = total - p.normal_impulse;
-            p.normal_impulse = total;
-            extra.greatest[k] = max(extra.greatest[k], total);
-            extra.total[k] += impulse;
-            pair.apply(c.normal, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
-        }
-        pair.store(a, b);
-    }
-}
-
 }  // namespace fettle::physics::detail

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <vector>
 
-// Impacts before the sub-steps: docs/design/physics.md, "Bounces come first".
+// Impacts before the sub-steps: docs/design/physics.md, "Bounces come first"; and those that the
+// sub-steps stopped.
 
 namespace fettle::physics::detail {
 namespace {
@@ -341,6 +342,30 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         for (int k = 0; k < c.count; ++k) record(extras[c.extra - 1], k, impact.impulses[k]);
     }
     return true;
+}
+
+void ContactSolver::restitute() {
+    if (extras.empty()) return;
+    for (ContactConstraint& c : constraints) {
+        if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
+        ContactExtra& extra = extras[c.extra - 1];
+        float wanted[2] = {};
+        bool hits[2] = {};
+        for (int k = 0; k < c.count; ++k) {
+            wanted[k] = -extra.restitution * extra.approach[k] -
+                        velocity_at(c, k, bodies[c.a], bodies[c.b]);
+            hits[k] = extra.approach[k] <= -restitution_threshold && extra.greatest[k] > 0.0f &&
+                      wanted[k] > 0.0f && c.points[k].normal_mass > 0.0f;
+        }
+        const Bounce bounce(PointResponse(c), wanted, hits);
+        for (int k = 0; k < c.count; ++k) {
+            if (!hits[k]) continue;
+            push(c, k, bounce.impulses[k], bodies);
+            c.points[k].normal_impulse += bounce.impulses[k];
+            extra.greatest[k] = max(extra.greatest[k], c.points[k].normal_impulse);
+            extra.total[k] += bounce.impulses[k];
+        }
+    }
 }
 
 }  // namespace fettle::physics::detail

@@ -2,9 +2,10 @@
 // satisfy both contacts. Each pass adds to the impulses of both, and the next sub-step begins with
 // them. While they balance they move nothing; when the body slips or a normal turns, what is left
 // is a hundred times the impulse of the presser, and the body shot out with up to 190 m/s. So a
-// squeezed body gets no faster than what it touches, and than the push speed: neither a rigid wedge
-// nor an impulse that was stored throws it. Its impulses act on what it touches too, so the same
-// holds for the bodies that it threw. Momentum is not kept there; the presser has none to lose.
+// squeezed body gets no faster than in one impact with what it touches, and than the push speed:
+// neither a rigid wedge nor an impulse that was stored throws it. Its impulses act on what it
+// touches too, so the same holds for the bodies that it threw. Momentum is not kept there; the
+// presser has none to lose.
 
 #include <solver/contacts_of_bodies.h>
 #include <solver/free_motion.h>
@@ -111,18 +112,16 @@ class Squeezes {
         const float speed = max(length(b.velocity), length(b.shift) / dt_);
         const float turn = max(std::fabs(b.angular_velocity), std::fabs(b.turn) / dt_);
         const float extent = max(input_.objects.bodies[body].extent, 1e-6f);
-        const auto most_turn_at = [&](float most) {
-            return max(most / extent, std::fabs(own.turn));
-        };
-        const auto is_slow = [&](float most) {
-            return !(speed > most) && !(turn > most_turn_at(most));
-        };
+        const float arm = min(std::sqrt(gyration_of(b)), extent);
+        // An impact may make a spin of all of the speed, or the other way round.
+        const float own_speed = std::sqrt(length_squared(own.velocity) + squared(arm * own.turn));
+        const auto is_slow = [&](float most) { return !(speed > most) && !(turn * arm > most); };
         // What it touches can only make it faster, and is looked at only if that matters.
-        const float least = max(length(own.velocity), input_.settings.push_speed);
+        const float least = max(own_speed, input_.settings.push_speed);
         if (is_slow(least)) return false;
-        const float most = greatest_speed_of(index, least);
+        const float most = max(least, greatest_speed_of(index, own_speed));
         if (is_slow(most)) return false;
-        const float most_turn = most_turn_at(most);
+        const float most_turn = most / arm;
         const auto scale = [](float value, float limit) {
             return value > limit ? limit / value : 1.0f;
         };
@@ -263,9 +262,10 @@ class Squeezes {
         return input_.bodies.solver_bodies[input_.objects.bodies[body].solver_index];
     }
 
-    /// The greatest speed that the body can get from what it touches and from joints, m/s, but at
-    /// least `most`.
-    float greatest_speed_of(uint32_t index, float most) {
+    /// The greatest speed that a body with this speed can get in an impact with what it touches,
+    /// and from joints, m/s.
+    float greatest_speed_of(uint32_t index, float own_speed) {
+        float most = 0.0f;
         const ObjectState& objects = input_.objects;
         const uint32_t body = body_at(index);
         for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
@@ -278,7 +278,8 @@ class Squeezes {
                 const float speed = yields(other) ? max(length(motion.velocity),
                                                         std::fabs(motion.turn) * length(arm))
                                                   : length(motion.at(arm));
-                most = max(most, (1.0f + c.restitution) * speed + std::fabs(c.surface_speed));
+                most = max(
+                    most, speed + c.restitution * (speed + own_speed) + std::fabs(c.surface_speed));
             }
         }
         objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
