@@ -104,6 +104,12 @@ class Squeezes {
   private:
     static float squared(float value) { return value * value; }
 
+    /// What impulses may make of a body at most.
+    struct Most {
+        float speed;  ///< m/s
+        float turn;   ///< rad/s
+    };
+
     /// False if the body is not faster than what it touches can make it.
     bool limit(uint32_t index) {
         const uint32_t body = body_at(index);
@@ -112,23 +118,24 @@ class Squeezes {
         const float speed = max(length(b.velocity), length(b.shift) / dt_);
         const float turn = max(std::fabs(b.angular_velocity), std::fabs(b.turn) / dt_);
         const float extent = max(input_.objects.bodies[body].extent, 1e-6f);
-        const float arm = min(std::sqrt(gyration_of(b)), extent);
-        // An impact may make a spin of all of the speed, or the other way round.
-        const float own_speed = std::sqrt(length_squared(own.velocity) + squared(arm * own.turn));
-        const auto is_slow = [&](float most) { return !(speed > most) && !(turn * arm > most); };
+        const auto is_slow = [&](const Most& most) {
+            return !(speed > most.speed) && !(turn > most.turn);
+        };
         // What it touches can only make it faster, and is looked at only if that matters.
-        const float least = max(own_speed, input_.settings.push_speed);
-        if (is_slow(least)) return false;
-        const float most = max(least, greatest_speed_of(index, own_speed));
+        const float least = max(length(own.velocity), input_.settings.push_speed);
+        Most most = {least, max(least / extent, std::fabs(own.turn))};
         if (is_slow(most)) return false;
-        const float most_turn = most / arm;
+        add_touched(index, most);
+        most.turn = max(most.turn, most.speed / extent);
+        add_bounces(index, own, most);
+        if (is_slow(most)) return false;
         const auto scale = [](float value, float limit) {
             return value > limit ? limit / value : 1.0f;
         };
-        b.velocity = scale(length(b.velocity), most) * b.velocity;
-        b.shift = scale(length(b.shift), dt_ * most) * b.shift;
-        b.angular_velocity *= scale(std::fabs(b.angular_velocity), most_turn);
-        b.turn *= scale(std::fabs(b.turn), dt_ * most_turn);
+        b.velocity = scale(length(b.velocity), most.speed) * b.velocity;
+        b.shift = scale(length(b.shift), dt_ * most.speed) * b.shift;
+        b.angular_velocity *= scale(std::fabs(b.angular_velocity), most.turn);
+        b.turn *= scale(std::fabs(b.turn), dt_ * most.turn);
         input_.bodies.limited.push_back(body);
         return true;
     }
@@ -262,33 +269,57 @@ class Squeezes {
         return input_.bodies.solver_bodies[input_.objects.bodies[body].solver_index];
     }
 
-    /// The greatest speed that a body with this speed can get in an impact with what it touches,
-    /// and from joints, m/s.
-    float greatest_speed_of(uint32_t index, float own_speed) {
+    /// The greatest speed of what a body touches at a contact, m/s.
+    float speed_of_other(const ContactRecord& c, uint32_t body) const {
+        const uint32_t other = c.body_a == body ? c.body_b : c.body_a;
+        const FreeMotion motion = FreeMotion::of(input_, columns_, other);
         float most = 0.0f;
+        for (int k = 0; k < c.manifold.count; ++k) {
+            const ManifoldPoint& p = c.manifold.points[k];
+            const Vec2 arm = other == c.body_a ? p.anchor_a : p.anchor_b;
+            most = max(most, yields(other) ? max(length(motion.velocity),
+                                                 std::fabs(motion.turn) * length(arm))
+                                           : length(motion.at(arm)));
+        }
+        return most;
+    }
+    /// Adds what the body can get from what it touches, and from joints.
+    void add_touched(uint32_t index, Most& most) {
         const ObjectState& objects = input_.objects;
         const uint32_t body = body_at(index);
         for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
             const ContactRecord& c = objects.contacts[contact.slot];
-            const uint32_t other = objects.other_body(contact.slot, body);
-            const FreeMotion motion = FreeMotion::of(input_, columns_, other);
-            for (int k = 0; k < c.manifold.count; ++k) {
-                const ManifoldPoint& p = c.manifold.points[k];
-                const Vec2 arm = other == c.body_a ? p.anchor_a : p.anchor_b;
-                const float speed = yields(other) ? max(length(motion.velocity),
-                                                        std::fabs(motion.turn) * length(arm))
-                                                  : length(motion.at(arm));
-                most = max(
-                    most, speed + c.restitution * (speed + own_speed) + std::fabs(c.surface_speed));
-            }
+            most.speed = max(most.speed, speed_of_other(c, body) + std::fabs(c.surface_speed));
         }
         objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
             const JointRecord& record = objects.joints[joint];
             const FreeMotion motion = FreeMotion::of(input_, columns_, record.bodies[side ^ 1]);
             const BodyRecord& other = objects.bodies[record.bodies[side ^ 1]];
-            most = max(most, max(length(motion.velocity), std::fabs(motion.turn) * other.extent));
+            most.speed = max(most.speed,
+                             max(length(motion.velocity), std::fabs(motion.turn) * other.extent));
         });
-        return most;
+    }
+    /// Adds what one impact with restitution can make of the motion of the body and of what it
+    /// touches.
+    void add_bounces(uint32_t index, const FreeMotion& own, Most& most) {
+        const uint32_t body = body_at(index);
+        const float v = length(own.velocity), w = std::fabs(own.turn);
+        const float arm = min(std::sqrt(gyration_of(input_.bodies.solver_bodies[index])),
+                              max(input_.objects.bodies[body].extent, 1e-6f));
+        for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
+            const ContactRecord& c = input_.objects.contacts[contact.slot];
+            const float e = c.restitution;
+            if (!(e > 0.0f)) continue;
+            const float other = speed_of_other(c, body);
+            // With the lever arm r and the radius of gyration k, an impact changes the velocity of
+            // the center by (1 + e)·k²/(k² + r²) of the approach, and k·ω by (1 + e)·k·r/(k² + r²)
+            // of it. The second factor is at most a half of 1 + e.
+            const float gained = (1.0f + e) * (other + 0.5f * arm * w);
+            most.speed =
+                max(most.speed, std::sqrt(v * v + 2.0f * e * v * gained + gained * gained) +
+                                    std::fabs(c.surface_speed));
+            most.turn = max(most.turn, w + 0.5f * (1.0f + e) * (v + other) / arm);
+        }
     }
 
     const SolverInput& input_;
