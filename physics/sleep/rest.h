@@ -39,6 +39,22 @@ inline bool tips_over(float sleep_speed, float sleep_delay, float turned, float 
            steady < most * moved;
 }
 
+/// A body that no contact supports is slow for a moment wherever it turns back: a ball at the top
+/// of its flight, a pendulum at its greatest angle. It is at rest if, since it became slow, it went
+/// no farther than at this part of the sleep speed, and is no faster now.
+inline constexpr float hanging_over_sleep_speed = 0.05f;
+
+/// True if a body that no contact supports is at rest. `slow`: its speed of rest, m/s.
+inline bool hangs_still(float slow, const BodyRecord& body, const RestPose& rest,
+                        const BodyState& state) {
+    const float speed =
+        max(length(state.velocity), std::fabs(state.angular_velocity) * body.extent);
+    const float moved =
+        length(body.center - rest.center) + std::fabs(state.angle - rest.angle) * body.extent;
+    const float still = hanging_over_sleep_speed * slow;
+    return speed <= still && moved <= still * body.sleep_time;
+}
+
 /// Counts the time that the body is at rest: slower than `sleep_speed` (m/s). `angle`: of the body,
 /// rad. `speed`: of its fastest point, m/s; `turning`: of this point around the center of mass,
 /// m/s.

@@ -275,6 +275,8 @@ struct AwakeIsland {
     uint32_t slow_bodies = 0, fast_bodies = 0;  ///< now
     bool rocks = true;                          ///< what is fast rocks in place
     bool rocks_for_long = true;                 ///< what does not rest rocks so
+    bool supported = false;                     ///< a body touches something
+    bool turns = false;                         ///< it is not supported, and is not still
 };
 
 float rest_speed_of(const ObjectState& objects, const WorldDef& settings, uint32_t body) {
@@ -401,8 +403,32 @@ std::vector<AwakeIsland> islands_of(const ObjectState& objects, const Columns& c
         const bool fast = unrest[i] != 0 && is_fast(objects.bodies[slot], columns.states[slot],
                                                     rest_speed_of(objects, settings, slot));
         ++(fast ? island.fast_bodies : island.slow_bodies);
+        island.supported |= objects.bodies[slot].lists.touching > 0;
     }
     return islands;
+}
+
+/// What flies or hangs rests only if all of it is still; otherwise its time of rest begins again.
+void keep_turning_awake(ObjectState& objects, const Columns& columns, const ActiveLists& active,
+                        const WorldDef& settings, UnionFind& sets,
+                        std::vector<AwakeIsland>& islands) {
+    bool any = false;
+    for (uint32_t i = 0; i < islands.size(); ++i) {
+        AwakeIsland& island = islands[sets.find(i)];
+        const uint32_t slot = active.awake_bodies[i];
+        const BodyRecord& body = objects.bodies[slot];
+        if (island.supported || island.unrest != 0 || body.mobility != Mobility::dynamic) continue;
+        if (hangs_still(rest_speed_of(objects, settings, slot), body, objects.rest_poses[slot],
+                        columns.states[slot]))
+            continue;
+        any = island.turns = true;
+    }
+    for (uint32_t i = 0; any && i < islands.size(); ++i) {
+        AwakeIsland& island = islands[sets.find(i)];
+        if (!island.turns) continue;
+        island.unrest = by_itself;
+        objects.bodies[active.awake_bodies[i]].sleep_time = 0.0f;
+    }
 }
 
 /// The bodies of each island that rests.
@@ -440,6 +466,7 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
     sets.reset(unrest.size());
     unite_islands(objects, columns, active, sets, unrest);
     std::vector<AwakeIsland> islands = islands_of(objects, columns, active, settings, sets, unrest);
+    keep_turning_awake(objects, columns, active, settings, sets, islands);
     calm_rocking(objects, columns, active, settings, passed, sets, unrest, islands);
     const std::vector<std::vector<uint32_t>> resting = resting_bodies(active, sets, islands);
     for (const std::vector<uint32_t>& bodies : resting)

@@ -203,9 +203,9 @@ TEST_CASE("an invalid maximum speed or sleep speed is refused") {
 
 TEST_CASE("a body rests below its own sleep speed or that of the world") {
     World world({.gravity = {0, 0}});
-    Body creeps = world.create_body({.velocity = {0.2f, 0}});
+    Body creeps = world.create_body({.velocity = {0.01f, 0}});
     Body snail =
-        world.create_body({.position = {0, 5}, .velocity = {0.2f, 0}, .sleep_speed = 0.5f});
+        world.create_body({.position = {0, 5}, .velocity = {0.01f, 0}, .sleep_speed = 0.5f});
     for (Body* body : {&creeps, &snail}) body->add(Circle{});
     REQUIRE(creeps.sleep_speed() == world.sleep_speed());
     REQUIRE(snail.sleep_speed() == 0.5f);
@@ -218,7 +218,7 @@ TEST_CASE("a body rests below its own sleep speed or that of the world") {
     snail.set_sleep_speed({});
     REQUIRE(snail.sleep_speed() == world.sleep_speed());
     REQUIRE(snail.awake());
-    snail.set_velocity({0.2f, 0});
+    snail.set_velocity({0.01f, 0});
     run(world, 1.0f);
     REQUIRE(snail.awake());
     REQUIRE_FALSE(world.validate());

@@ -47,7 +47,9 @@ struct WorldDef {
     bool continuous = true;           ///< fast bodies do not pass through static ones
     float restitution_threshold = 1.0f;  ///< m/s; slower impacts do not bounce
     float hit_threshold = 1.0f;          ///< m/s; slower impacts make no hit event
-    float sleep_speed = 0.05f;    ///< m/s; an island slower than this for `sleep_delay` sleeps
+    /// m/s; an island that is slower than this for `sleep_delay` sleeps. If none of its bodies
+    /// touches anything, as it flies or hangs from a joint, it must be 20 times slower.
+    float sleep_speed = 0.05f;
     float sleep_delay = 0.5f;     ///< s
     float contact_hertz = 60.0f;  ///< frequency of a contact under load; ¾ of it without load. The
                                   ///< solver uses at most a quarter of the sub-step rate
