@@ -49,7 +49,7 @@ struct ContactSolver {
     void relax(std::span<const uint32_t> some);
     /// Called after all sub-steps, for hits that `bounce` did not predict: shapes that hit fast
     /// enough get their restitution times the approach velocity as separation velocity.
-    void restitute();
+    void restitute(int substeps);
 
   private:
     void solve_biased(ContactConstraint& c) const;

@@ -78,6 +78,31 @@ float velocity_at(const ContactConstraint& c, int point, const SolverBody& a, co
            (p.normal_lever_b * b.angular_velocity - p.normal_lever_a * a.angular_velocity);
 }
 
+/// What moves along the tangent of a corner moves away from it, too.
+struct Passing {
+    float opening = 0.0f;  ///< what that adds to the gap by the end of the step, m
+    float velocity;        ///< along the normal, when the gap closes, m/s
+
+    /// `velocity`: the present one at the point.
+    Passing(const ContactConstraint& c, const ContactExtra& extra, int point, float now,
+            const SolverBody& a, const SolverBody& b, float dt)
+        : velocity(now) {
+        const Corner& corner = extra.corner;
+        if (corner.distance == 0.0f || !(now < 0.0f)) return;
+        const float slip =
+            dot(right_perp(c.normal), b.velocity - a.velocity) +
+            (corner.lever_b * b.angular_velocity - corner.lever_a * a.angular_velocity);
+        const SolverBody at_start;
+        opening = path_around(corner, c.normal, at_start, at_start, PairMotion(a, b), 0.0f, now, dt)
+                      .opening;
+        // On a straight path, the speed along the normal is √(v² - u²·(d² - r²)/r²) where the
+        // distance of the cores, now d, is r.
+        const float gap = max(c.points[point].separation, 0.0f), radius = corner.distance - gap;
+        const float bend = gap * (corner.distance + radius) / max(radius * radius, 1e-12f);
+        velocity = -std::sqrt(max(now * now - slip * slip * bend, 0.0f));
+    }
+};
+
 void push(const ContactConstraint& c, int point, float impulse, std::span<SolverBody> bodies) {
     const ConstraintPoint& p = c.points[point];
     SolvedPair pair(c, bodies[c.a], bodies[c.b]);
@@ -108,25 +133,26 @@ struct Meeting {
     bool meets[2] = {};
     float time = 1.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
 
-    /// `extra.approach` has the present velocities. The forces act on the first and on the second
-    /// body.
-    Meeting(const ContactConstraint& c, const ContactExtra& extra, const SolverForce& fa,
-            const SolverForce& fb, int substeps, float dt, float threshold) {
+    /// `extra.approach` has the present velocities of the bodies a and b.
+    Meeting(const ContactConstraint& c, const ContactExtra& extra, const SolverBody& a,
+            const SolverBody& b, const SolverForce& fa, const SolverForce& fb, int substeps,
+            float dt, float threshold) {
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
-            const float velocity = extra.approach[k];
+            const Passing passing(c, extra, k, extra.approach[k], a, b, dt);
+            const float velocity = extra.approach[k], gap = p.separation + passing.opening;
             // Forces change it by this much in a sub-step.
             const float change =
                 dot(c.normal, fb.change - fa.change) +
                 (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
             const float mean = velocity + 0.5f * float(substeps + 1) * change;
             meets[k] =
-                velocity < -threshold && p.separation + dt * mean < 0.0f && p.normal_mass > 0.0f;
-            if (meets[k]) time = min(time, p.separation / (-dt * mean));
+                passing.velocity < -threshold && gap + dt * mean < 0.0f && p.normal_mass > 0.0f;
+            if (meets[k]) time = min(time, gap / (-dt * mean));
             // Velocities are those half a sub-step before their positions. Without this term, every
             // bounce would lose the work of the forces in a sub-step.
-            const float v = extra.restitution > 0.0f ? velocity + 0.5f * change
-                                                     : velocity + max(p.separation, 0.0f) / dt;
+            const float v = extra.restitution > 0.0f ? passing.velocity + 0.5f * change
+                                                     : velocity + max(gap, 0.0f) / dt;
             wanted[k] = -(1.0f + extra.restitution) * v;
         }
     }
@@ -301,7 +327,8 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         for (int k = 0; k < c.count; ++k) extra.approach[k] = velocity_at(c, k, a, b);
         // Most contacts of a heap only pass small speeds on. Their forces are not read.
         if (!is_fast(extra, restitution_threshold)) continue;
-        Meeting meeting(c, extra, forces[c.a], forces[c.b], substeps, dt, restitution_threshold);
+        Meeting meeting(c, extra, a, b, forces[c.a], forces[c.b], substeps, dt,
+                        restitution_threshold);
         if (!meeting.any()) continue;
         const bool jointed = joints != nullptr && joints->acts_on(c.a, c.b);
         if (!jointed && extra.restitution >= least_worth) {
@@ -344,17 +371,20 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
     return true;
 }
 
-void ContactSolver::restitute() {
+void ContactSolver::restitute(int substeps) {
     if (extras.empty()) return;
+    const float dt = float(substeps) / inverse_h;
     for (ContactConstraint& c : constraints) {
         if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
         ContactExtra& extra = extras[c.extra - 1];
         float wanted[2] = {};
         bool hits[2] = {};
         for (int k = 0; k < c.count; ++k) {
-            wanted[k] = -extra.restitution * extra.approach[k] -
-                        velocity_at(c, k, bodies[c.a], bodies[c.b]);
-            hits[k] = extra.approach[k] <= -restitution_threshold && extra.greatest[k] > 0.0f &&
+            const SolverBody &a = bodies[c.a], &b = bodies[c.b];
+            const Passing passing(c, extra, k, extra.approach[k], a, b, dt);
+            const float approach = max(passing.velocity, extra.approach[k] + passing.opening / dt);
+            wanted[k] = -extra.restitution * approach - velocity_at(c, k, a, b);
+            hits[k] = approach <= -restitution_threshold && extra.greatest[k] > 0.0f &&
                       wanted[k] > 0.0f && c.points[k].normal_mass > 0.0f;
         }
         const Bounce bounce(PointResponse(c), wanted, hits);

@@ -306,8 +306,11 @@ struct alignas(cache_line_size) FirstBlock {
         }
     }
     void restitute(const SolverBlock& block) const {
-        step.section_loop(
-                block, [this](uint32_t, const StripNodes& nodes) { serial_of(nodes).restitute(); })
+        const int substeps = step.input.settings.substeps;
+        step.section_loop(block,
+                          [this, substeps](uint32_t, const StripNodes& nodes) {
+                              serial_of(nodes).restitute(substeps);
+                          })
             .run();
     }
 };
