@@ -107,29 +107,42 @@ struct Meeting {
     bool meets[2] = {};
     float time = 1.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
 
-    /// `extra.approach` has the present velocities. The forces act on the first and on the second
-    /// body.
-    Meeting(const ContactConstraint& c, const ContactExtra& extra, const SolverForce& fa,
-            const SolverForce& fb, int substeps, float dt, float threshold) {
+    /// `extra.approach` has the velocities of `motion`. The forces act on the first and on the
+    /// second body.
+    Meeting(const ContactConstraint& c, const ContactExtra& extra, const PairMotion& motion,
+            const SolverForce& fa, const SolverForce& fb, int substeps, float dt, float threshold) {
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
             const float velocity = extra.approach[k];
+            const float opening = opening_of(c, extra, motion, velocity, dt);
             // Forces change it by this much in a sub-step.
             const float change =
                 dot(c.normal, fb.change - fa.change) +
                 (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
-            const float mean = velocity + 0.5f * float(substeps + 1) * change;
-            meets[k] =
-                velocity < -threshold && p.separation + dt * mean < 0.0f && p.normal_mass > 0.0f;
+            const float mean = velocity + opening + 0.5f * float(substeps + 1) * change;
+            meets[k] = velocity + opening < -threshold && p.separation + dt * mean < 0.0f &&
+                       p.normal_mass > 0.0f;
             if (meets[k]) time = min(time, p.separation / (-dt * mean));
             // Velocities are those half a sub-step before their positions. Without this term, every
             // bounce would lose the work of the forces in a sub-step.
-            const float v = extra.restitution > 0.0f ? velocity + 0.5f * change
-                                                     : velocity + max(p.separation, 0.0f) / dt;
+            const float v = extra.restitution > 0.0f
+                                ? velocity + 0.5f * change
+                                : velocity + opening + max(p.separation, 0.0f) / dt;
             wanted[k] = -(1.0f + extra.restitution) * v;
         }
     }
     bool any() const { return meets[0] || meets[1]; }
+
+    /// The mean speed with which the path around a corner opens the gap in the step, m/s: what
+    /// passes the corner along a tangent does not meet it.
+    static float opening_of(const ContactConstraint& c, const ContactExtra& extra,
+                            const PairMotion& motion, float velocity, float dt) {
+        if (c.count != 1 || extra.corner.distance == 0.0f || !(dt > 0.0f)) return 0.0f;
+        const SolverBody at_start;
+        return path_around(extra.corner, c.normal, at_start, at_start, motion, 0.0f, velocity, dt)
+                   .opening /
+               dt;
+    }
     /// A velocity that the joints of the bodies forbid does not bounce: they take it away. A point
     /// at which joints hold the bodies does not bounce if a kinematic body drives them.
     void yield_to_joints(const ContactConstraint& c, const ContactExtra& extra,
@@ -300,7 +313,8 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         for (int k = 0; k < c.count; ++k) extra.approach[k] = velocity_at(c, k, a, b);
         // Most contacts of a heap only pass small speeds on. Their forces are not read.
         if (!is_fast(extra, restitution_threshold)) continue;
-        Meeting meeting(c, extra, forces[c.a], forces[c.b], substeps, dt, restitution_threshold);
+        Meeting meeting(c, extra, PairMotion(a, b), forces[c.a], forces[c.b], substeps, dt,
+                        restitution_threshold);
         if (!meeting.any()) continue;
         const bool jointed = joints != nullptr && joints->acts_on(c.a, c.b);
         if (!jointed && extra.restitution >= least_worth) {

@@ -65,7 +65,10 @@ class Squeezes {
     /// Limits the body if it is squeezed and thrown, then all that its impulses may have thrown:
     /// they go through slow bodies too, as through a seesaw to what lies on it.
     void limit_squeezed(uint32_t index) {
-        if (!is_squeezed(input_.active.awake_bodies[index - 1]) || !limit(index)) return;
+        const uint32_t body = input_.active.awake_bodies[index - 1];
+        if (!is_squeezed(body)) return;
+        pressing_ = pressing_speed(body);
+        if (!limit(index)) return;
         through_joints_ = false;
         reach(index, true);
         follow();
@@ -76,6 +79,7 @@ class Squeezes {
         if (index > input_.active.awake_bodies.size() || is_reached(index)) return;
         pressed_.clear();
         through_joints_ = true;
+        pressing_ = 0.0f;
         bool any_squeezed = false;
         const auto add = [&](uint32_t body) {
             const uint32_t next = input_.objects.bodies[body].solver_index;
@@ -88,6 +92,7 @@ class Squeezes {
         for (size_t i = 0; i < pressed_.size(); ++i) {
             const uint32_t body = input_.active.awake_bodies[pressed_[i] - 1];
             any_squeezed = any_squeezed || is_squeezed(body);
+            pressing_ = max(pressing_, pressing_speed(body));
             for_each_neighbor(body, [&](uint32_t other, bool presses) {
                 if (presses) add(other);
             });
@@ -239,27 +244,41 @@ class Squeezes {
         }
         return speed;
     }
+    /// The greatest speed that what does not yield gives to the body by itself, m/s.
+    float pressing_speed(uint32_t body) const {
+        float most = 0.0f;
+        input_.objects.for_each_contact(body, [&](uint32_t contact) {
+            const ContactRecord& c = input_.objects.contacts[contact];
+            const uint32_t other = input_.objects.other_body(contact, body);
+            if (c.acts() && !yields(other)) most = max(most, given_speed(other, c));
+        });
+        return most;
+    }
+    /// The greatest speed that the other body of a contact with `body` gives, m/s.
+    float given_speed(uint32_t body, const ContactRecord& c) const {
+        const FreeMotion motion = FreeMotion::of(input_, columns_, body);
+        float most = 0.0f;
+        for (int k = 0; k < c.manifold.count; ++k) {
+            const ManifoldPoint& p = c.manifold.points[k];
+            const Vec2 arm = body == c.body_a ? p.anchor_a : p.anchor_b;
+            const float speed =
+                yields(body) ? max(length(motion.velocity), std::fabs(motion.turn) * length(arm))
+                             : length(motion.at(arm));
+            most = max(most, (1.0f + c.restitution) * speed + std::fabs(c.surface_speed));
+        }
+        return most;
+    }
     const SolverBody& solver_body(uint32_t body) const {
         return input_.bodies.solver_bodies[input_.objects.bodies[body].solver_index];
     }
 
-    /// The greatest speed that the body can get from forces, what it touches, and joints.
+    /// The greatest speed that the body can get from forces, what it touches, and joints, m/s.
     float greatest_speed_of(uint32_t body, const FreeMotion& own) const {
         const ObjectState& objects = input_.objects;
-        float most = max(length(own.velocity), input_.settings.push_speed);
+        float most = max(max(length(own.velocity), input_.settings.push_speed), pressing_);
         objects.for_each_contact(body, [&](uint32_t contact) {
             const ContactRecord& c = objects.contacts[contact];
-            if (!c.acts()) return;
-            const uint32_t other = objects.other_body(contact, body);
-            const FreeMotion motion = FreeMotion::of(input_, columns_, other);
-            for (int k = 0; k < c.manifold.count; ++k) {
-                const ManifoldPoint& p = c.manifold.points[k];
-                const Vec2 arm = other == c.body_a ? p.anchor_a : p.anchor_b;
-                const float speed = yields(other) ? max(length(motion.velocity),
-                                                        std::fabs(motion.turn) * length(arm))
-                                                  : length(motion.at(arm));
-                most = max(most, (1.0f + c.restitution) * speed + std::fabs(c.surface_speed));
-            }
+            if (c.acts()) most = max(most, given_speed(objects.other_body(contact, body), c));
         });
         objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
             const JointRecord& record = objects.joints[joint];
@@ -277,6 +296,8 @@ class Squeezes {
     // Bodies that a squeezed one may have thrown, as indices in the solver.
     std::vector<Reached> waiting_;
     std::vector<uint32_t> pressed_;
+    /// What presses moves all of them with this speed, m/s, also those that it does not touch.
+    float pressing_ = 0.0f;
     /// Only behind a presser: an impact on something fixed has an end, and what joints make of it
     /// is physics.
     bool through_joints_ = false;
