@@ -382,7 +382,7 @@ void ContactSolver::restitute(int substeps) {
         for (int k = 0; k < c.count; ++k) {
             const SolverBody &a = bodies[c.a], &b = bodies[c.b];
             const Passing passing(c, extra, k, extra.approach[k], a, b, dt);
-            const float approach = max(passing.velocity, extra.approach[k] + passing.opening / dt);
+            const float approach = passing.velocity;
             wanted[k] = -extra.restitution * approach - velocity_at(c, k, a, b);
             hits[k] = approach <= -restitution_threshold && extra.greatest[k] > 0.0f &&
                       wanted[k] > 0.0f && c.points[k].normal_mass > 0.0f;

@@ -68,7 +68,9 @@ class Squeezes {
     /// Limits the body if it is squeezed and thrown, then all that its impulses may have thrown:
     /// they go through slow bodies too, as through a seesaw to what lies on it.
     void limit_squeezed(uint32_t index) {
-        if (!is_squeezed(body_at(index)) || !limit(index)) return;
+        if (!is_squeezed(body_at(index))) return;
+        pressing_ = pressing_speed(index);
+        if (!limit(index)) return;
         through_joints_ = false;
         reach(index, true);
         follow();
@@ -79,6 +81,7 @@ class Squeezes {
         if (index > input_.active.awake_bodies.size() || is_reached(index)) return;
         pressed_.clear();
         through_joints_ = true;
+        pressing_ = 0.0f;
         bool any_squeezed = false;
         const auto add = [&](uint32_t next) {
             if (!is_followed(next)) return;
@@ -89,6 +92,7 @@ class Squeezes {
         add(index);
         for (size_t i = 0; i < pressed_.size(); ++i) {
             any_squeezed = any_squeezed || is_squeezed(body_at(pressed_[i]));
+            pressing_ = max(pressing_, pressing_speed(pressed_[i]));
             for_each_neighbor(pressed_[i], [&](uint32_t next, auto&& is_pressed) {
                 if (is_pressed()) add(next);
             });
@@ -265,6 +269,16 @@ class Squeezes {
         }
         return speed;
     }
+    /// The greatest speed of what touches the body and does not yield, m/s.
+    float pressing_speed(uint32_t index) {
+        float most = 0.0f;
+        for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
+            const ContactRecord& c = input_.objects.contacts[contact.slot];
+            if (!yields(input_.objects.other_body(contact.slot, body_at(index))))
+                most = max(most, speed_of_other(c, body_at(index)) + std::fabs(c.surface_speed));
+        }
+        return most;
+    }
     const SolverBody& solver_body(uint32_t body) const {
         return input_.bodies.solver_bodies[input_.objects.bodies[body].solver_index];
     }
@@ -287,6 +301,7 @@ class Squeezes {
     void add_touched(uint32_t index, Most& most) {
         const ObjectState& objects = input_.objects;
         const uint32_t body = body_at(index);
+        most.speed = max(most.speed, pressing_);
         for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
             const ContactRecord& c = objects.contacts[contact.slot];
             most.speed = max(most.speed, speed_of_other(c, body) + std::fabs(c.surface_speed));
@@ -330,6 +345,8 @@ class Squeezes {
     // Bodies that a squeezed one may have thrown, as indices in the solver.
     std::vector<Reached> waiting_;
     std::vector<uint32_t> pressed_;
+    /// What presses moves all of them with this speed, m/s, also those that it does not touch.
+    float pressing_ = 0.0f;
     /// Only behind a presser: an impact on something fixed has an end, and what joints make of it
     /// is physics.
     bool through_joints_ = false;
