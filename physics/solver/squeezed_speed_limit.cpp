@@ -7,6 +7,7 @@
 // holds for the bodies that it threw. Momentum is not kept there; the presser has none to lose.
 
 #include <solver/free_motion.h>
+#include <state/joint_kind.h>
 #include <state/limits.h>
 
 #include <algorithm>
@@ -27,6 +28,9 @@ constexpr float least_yielding = 0.1f;
 /// By this much a body may get faster in a step without being limited, since a motor may drive it:
 /// the first as a part of the push speed, the second as a factor of the square of its own speed.
 constexpr float little_push = 0.1f, little_more = 1.02f;
+/// A joint is held open if its gap is wider than this, m, and than this part of the thickness of
+/// one of its bodies. Under a load it is narrower.
+constexpr float least_gap = 0.02f, gap_share = 0.5f;
 /// A body that does not move along is thrown only if it spins faster than this, rad/s.
 constexpr float slow_turn = 10.0f;
 /// A presser that is slower than this, m/s, counts as being at rest.
@@ -91,7 +95,7 @@ class Squeezes {
         add(input_.active.awake_bodies[index - 1]);
         for (size_t i = 0; i < pressed_.size(); ++i) {
             const uint32_t body = input_.active.awake_bodies[pressed_[i] - 1];
-            any_squeezed = any_squeezed || is_squeezed(body);
+            any_squeezed = any_squeezed || is_squeezed(body) || holds_open_joint(body);
             pressing_ = max(pressing_, pressing_speed(body));
             for_each_neighbor(body, [&](uint32_t other, bool presses) {
                 if (presses) add(other);
@@ -216,6 +220,25 @@ class Squeezes {
             return c.acts() && yields(other) && depth_of(c) > least_yielding * thickness &&
                    any_opposing(normal_from(other, c), [](const Press&) { return true; });
         });
+    }
+    /// True if the pressure holds a joint of the body open.
+    bool holds_open_joint(uint32_t body) const {
+        const float least = max(least_gap, gap_share * input_.objects.bodies[body].thickness);
+        bool open = false;
+        input_.objects.for_each_joint(body, [&](uint32_t slot, uint32_t) {
+            const JointRecord& joint = input_.objects.joints[slot];
+            const auto separation = joint_kind(joint.type).separation;
+            if (open || separation == nullptr || !joint.moves()) return;
+            const BodyState& a = columns_.states[joint.bodies[0]];
+            const JointPlace place = {
+                anchor(joint, 0), anchor(joint, 1), {a.cosine, a.sine}, joint.anchors[0]};
+            open = separation(joint, place) > least;
+        });
+        return open;
+    }
+    Position anchor(const JointRecord& joint, size_t side) const {
+        const BodyState& state = columns_.states[joint.bodies[side]];
+        return state.position + rotate({state.cosine, state.sine}, Vec2(joint.anchors[side]));
     }
     static Vec2 normal_from(uint32_t body, const ContactRecord& c) {
         return body == c.body_a ? c.manifold.normal : -c.manifold.normal;
