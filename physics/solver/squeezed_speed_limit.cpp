@@ -84,7 +84,7 @@ class Squeezes {
         pressed_.clear();
         through_joints_ = true;
         pressing_ = 0.0f;
-        bool any_squeezed = false;
+        bool any_squeezed = false, any_open = false;
         const auto add = [&](uint32_t body) {
             const uint32_t next = input_.objects.bodies[body].solver_index;
             if (!yields(body) || next == 0 || is_reached(next)) return;
@@ -95,13 +95,15 @@ class Squeezes {
         add(input_.active.awake_bodies[index - 1]);
         for (size_t i = 0; i < pressed_.size(); ++i) {
             const uint32_t body = input_.active.awake_bodies[pressed_[i] - 1];
-            any_squeezed = any_squeezed || is_squeezed(body) || holds_open_joint(body);
+            any_squeezed = any_squeezed || is_squeezed(body);
+            any_open = any_open || holds_open_joint(body);
             pressing_ = max(pressing_, pressing_speed(body));
             for_each_neighbor(body, [&](uint32_t other, bool presses) {
                 if (presses) add(other);
             });
         }
-        if (!any_squeezed) return;
+        // A presser that stands still holds nothing open for long.
+        if (!any_squeezed && !(any_open && pressing_ > standing_speed)) return;
         for (const uint32_t next : pressed_) {
             const bool thrown = may_be_thrown(next) && limit(next);
             waiting_.push_back({next, thrown});
