@@ -44,6 +44,9 @@ struct ContactSolver {
     /// Called after the positions changed: removes the bias velocity, then applies friction and
     /// rolling resistance. Friction acts in this pass only, which makes tall stacks stand.
     void relax();
+    /// The same after the last sub-step. Shapes that approach fast enough to bounce, and are still
+    /// apart, keep their speed: the next step bounces them.
+    void relax_at_end();
     /// The same two passes over some of the constraints, by index.
     void solve_biased(std::span<const uint32_t> some);
     void relax(std::span<const uint32_t> some);
@@ -54,6 +57,7 @@ struct ContactSolver {
   private:
     void solve_biased(ContactConstraint& c) const;
     void relax(ContactConstraint& c) const;
+    bool bounces_later(const ContactConstraint& c) const;
     void follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const;
     const Corner* corner_of(const ContactConstraint& c) const;
 };

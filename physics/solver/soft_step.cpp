@@ -273,7 +273,9 @@ struct alignas(cache_line_size) FirstBlock {
         step.pass(step.kernels.relax, section, wide);
     }
     void relax_and_store(uint32_t section, const StripNodes& nodes) const {
-        relax(section, nodes);
+        pass_joints_of(nodes, &JointKind::relax, &ContactSolver::relax);
+        serial_of(nodes).relax_at_end();
+        step.pass(step.kernels.relax, section, wide);
         step.store_section(section, wide);
     }
     void bounce(const SolverBlock& block) const {

@@ -9,6 +9,7 @@
 
 #include <solver/contacts_of_bodies.h>
 #include <solver/free_motion.h>
+#include <state/joint_kind.h>
 #include <state/limits.h>
 
 #include <algorithm>
@@ -30,6 +31,9 @@ constexpr float least_yielding = 0.1f;
 /// By this much a body may get faster in a step without being limited, since a motor may drive it:
 /// the first as a part of the push speed, the second as a factor of the square of its own speed.
 constexpr float little_push = 0.1f, little_more = 1.02f;
+/// A joint is held open if its gap is wider than this, m, and than this part of the thickness of
+/// one of its bodies. Under a load it is narrower.
+constexpr float least_gap = 0.02f, gap_share = 0.5f;
 /// A body that does not move along is thrown only if it spins faster than this, rad/s.
 constexpr float slow_turn = 10.0f;
 /// A presser that is slower than this, m/s, counts as being at rest.
@@ -82,22 +86,39 @@ class Squeezes {
         pressed_.clear();
         through_joints_ = true;
         pressing_ = 0.0f;
+<<<<<<< HEAD
         bool any_squeezed = false;
         const auto add = [&](uint32_t next) {
             if (!is_followed(next)) return;
+=======
+        bool any_squeezed = false, any_open = false;
+        const auto add = [&](uint32_t body) {
+            const uint32_t next = input_.objects.bodies[body].solver_index;
+            if (!yields(body) || next == 0 || is_reached(next)) return;
+>>>>>>> 49727c128ebc3dd4233864e3cc3839d54ea7f9b7
             reached_.resize(input_.bodies.solver_bodies.size());
             reached_[next] = 1;
             pressed_.push_back(next);
         };
         add(index);
         for (size_t i = 0; i < pressed_.size(); ++i) {
+<<<<<<< HEAD
             any_squeezed = any_squeezed || is_squeezed(body_at(pressed_[i]));
             pressing_ = max(pressing_, pressing_speed(pressed_[i]));
             for_each_neighbor(pressed_[i], [&](uint32_t next, auto&& is_pressed) {
                 if (is_pressed()) add(next);
+=======
+            const uint32_t body = input_.active.awake_bodies[pressed_[i] - 1];
+            any_squeezed = any_squeezed || is_squeezed(body);
+            any_open = any_open || holds_open_joint(body);
+            pressing_ = max(pressing_, pressing_speed(body));
+            for_each_neighbor(body, [&](uint32_t other, bool presses) {
+                if (presses) add(other);
+>>>>>>> 49727c128ebc3dd4233864e3cc3839d54ea7f9b7
             });
         }
-        if (!any_squeezed) return;
+        // A presser that stands still holds nothing open for long.
+        if (!any_squeezed && !(any_open && pressing_ > standing_speed)) return;
         for (const uint32_t next : pressed_) {
             const bool thrown = may_be_thrown(next) && limit(next);
             waiting_.push_back({next, thrown});
@@ -241,6 +262,25 @@ class Squeezes {
             return c.acts() && yields(other) && depth_of(c) > least_yielding * thickness &&
                    any_opposing(normal_from(other, c), [](const Press&) { return true; });
         });
+    }
+    /// True if the pressure holds a joint of the body open.
+    bool holds_open_joint(uint32_t body) const {
+        const float least = max(least_gap, gap_share * input_.objects.bodies[body].thickness);
+        bool open = false;
+        input_.objects.for_each_joint(body, [&](uint32_t slot, uint32_t) {
+            const JointRecord& joint = input_.objects.joints[slot];
+            const auto separation = joint_kind(joint.type).separation;
+            if (open || separation == nullptr || !joint.moves()) return;
+            const BodyState& a = columns_.states[joint.bodies[0]];
+            const JointPlace place = {
+                anchor(joint, 0), anchor(joint, 1), {a.cosine, a.sine}, joint.anchors[0]};
+            open = separation(joint, place) > least;
+        });
+        return open;
+    }
+    Position anchor(const JointRecord& joint, size_t side) const {
+        const BodyState& state = columns_.states[joint.bodies[side]];
+        return state.position + rotate({state.cosine, state.sine}, Vec2(joint.anchors[side]));
     }
     static Vec2 normal_from(uint32_t body, const ContactRecord& c) {
         return body == c.body_a ? c.manifold.normal : -c.manifold.normal;

@@ -110,4 +110,26 @@ TEST_CASE("boxes without friction in a closed room keep most of their energy") {
     CHECK(least > 0.95);
 }
 
+TEST_CASE("a row of touching balls passes a blow on at any step rate") {
+    for (unsigned seed = 0; seed < seeds_or(200); ++seed) {
+        Random random{std::mt19937(seed)};
+        const float rate = seed % 4 == 3 ? 240 : rates[seed % 4];
+        const int count = 2 + int(seed % 5);
+        const float radius = random(0.1f, 1), speed = random(1.5f, 8), gap = random(0.2f, 2);
+        const ShapeDef elastic = {.friction = 0, .restitution = 1};
+        World world({.gravity = {0, 0}});
+        std::vector<Body> balls;
+        for (int i = 0; i <= count; ++i) {
+            const float x = 2 * radius * float(i) + (i > 0 ? gap : 0);
+            balls.push_back(
+                world.create_body({.position = {x, 0}, .velocity = {i > 0 ? 0 : speed, 0}}));
+            balls.back().add(Circle{radius}, elastic);
+        }
+        for (int i = 0; i < int((gap / speed + 0.1f) * rate); ++i) world.step(1 / rate);
+        INFO("seed " << seed << ", " << rate << " steps a second");
+        CHECK(std::fabs(balls.back().velocity().x - speed) < 0.01f * speed);
+        CHECK(std::fabs(balls.front().velocity().x) < 0.06f * speed);
+    }
+}
+
 }  // namespace free_bounces_test

@@ -117,6 +117,29 @@ float press_welded(unsigned seed) {
     return pit.press_by_ram(3, 5.3f, 8);
 }
 
+/// A chain of links, and some boxes on it, between a ram and a wall.
+float press_chain(unsigned seed) {
+    Pit pit(seed, 6);
+    std::vector<Body> links;
+    for (int i = 0; i < 10; ++i) {
+        const float x = -1 + 0.5f * float(i);
+        links.push_back(pit.add({x, 1}, Box{.width = 0.46f, .height = 0.2f}, 2));
+        if (i == 0) continue;
+        const Position place = {x - 0.25f, 1};
+        const Body a = links[size_t(i) - 1], b = links.back();
+        pit.world.create_revolute_joint({.body_a = a.id(),
+                                         .body_b = b.id(),
+                                         .anchor_a = a.local_point(place),
+                                         .anchor_b = b.local_point(place)});
+    }
+    for (int i = 0; i < 4; ++i) {
+        const float size = pit.random(0.35f, 0.6f);
+        const float x = pit.random(0, 4);
+        pit.add({x, 3 + float(i)}, Box{.width = size, .height = 0.8f * size});
+    }
+    return pit.press_by_ram(3, 5.4f, 8);
+}
+
 /// Two doors close on a heap.
 float close_doors(unsigned seed) {
     Pit pit(seed, 8);
@@ -224,6 +247,12 @@ TEST_CASE("a ram does not throw what joints connect") {
         CHECK(result.thrown * 5 <= result.count);
         CHECK(result.worst < 22);
     }
+}
+
+TEST_CASE("a chain that a ram presses together does not spring open") {
+    const Result result = throw_many(press_chain, "chain", 6);
+    CHECK(result.thrown * 20 <= result.count);
+    CHECK(result.worst < 10);
 }
 
 TEST_CASE("doors that close on a heap do not throw it") {
