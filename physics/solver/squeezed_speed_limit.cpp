@@ -86,35 +86,21 @@ class Squeezes {
         pressed_.clear();
         through_joints_ = true;
         pressing_ = 0.0f;
-<<<<<<< HEAD
-        bool any_squeezed = false;
+        bool any_squeezed = false, any_open = false;
         const auto add = [&](uint32_t next) {
             if (!is_followed(next)) return;
-=======
-        bool any_squeezed = false, any_open = false;
-        const auto add = [&](uint32_t body) {
-            const uint32_t next = input_.objects.bodies[body].solver_index;
-            if (!yields(body) || next == 0 || is_reached(next)) return;
->>>>>>> 49727c128ebc3dd4233864e3cc3839d54ea7f9b7
             reached_.resize(input_.bodies.solver_bodies.size());
             reached_[next] = 1;
             pressed_.push_back(next);
         };
         add(index);
         for (size_t i = 0; i < pressed_.size(); ++i) {
-<<<<<<< HEAD
-            any_squeezed = any_squeezed || is_squeezed(body_at(pressed_[i]));
+            const uint32_t body = body_at(pressed_[i]);
+            any_squeezed = any_squeezed || is_squeezed(body);
+            any_open = any_open || holds_open_joint(body);
             pressing_ = max(pressing_, pressing_speed(pressed_[i]));
             for_each_neighbor(pressed_[i], [&](uint32_t next, auto&& is_pressed) {
                 if (is_pressed()) add(next);
-=======
-            const uint32_t body = input_.active.awake_bodies[pressed_[i] - 1];
-            any_squeezed = any_squeezed || is_squeezed(body);
-            any_open = any_open || holds_open_joint(body);
-            pressing_ = max(pressing_, pressing_speed(body));
-            for_each_neighbor(body, [&](uint32_t other, bool presses) {
-                if (presses) add(other);
->>>>>>> 49727c128ebc3dd4233864e3cc3839d54ea7f9b7
             });
         }
         // A presser that stands still holds nothing open for long.
