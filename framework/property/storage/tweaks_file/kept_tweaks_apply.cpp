@@ -176,6 +176,15 @@ Handle KeptTweaks::find(const Node& node, const std::string& path, std::size_t c
         const Handle child = tree_.child(at, name);
         if (!child) {
             if (then.empty()) return {};
+            if (tree_.find(at, name) != nullptr) {
+                warn(document_->has_key(node) ? node.key_begin : node.begin,
+                     path + ": " + joined_path(segments, i + 1) +
+                         " is a property: write its whole value, as in \"" +
+                         joined_path(segments, i + 1) +
+                         "\": " + value_text(tree_.peek(at, *tree_.find(at, name))) +
+                         "; what is here has no effect");
+                return {};
+            }
             std::vector<std::string> names;
             for (const Handle each : tree_.children(at)) names.push_back(tree_.name(each));
             warn(document_->has_key(node) ? node.key_begin : node.begin,
