@@ -75,7 +75,7 @@ TEST_CASE("names and versions that a debian package cannot have are changed with
     const Folder folder;
     folder.write("game/main.lua", "");
     folder.write("game/game.json", settings);
-    const Outcome made = package(folder, "--linux", "out");
+    const Outcome made = package(folder, "--linux", "made");
     INFO(made.out << made.err);
     CHECK(made.status == 0);
     CHECK(contains(made.out, ": " + id + " in it starts the game"));
