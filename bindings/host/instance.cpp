@@ -1,3 +1,4 @@
+#include <fettle/property/find_instance.h>
 #include <fettle/property/spelling.h>
 
 #include "calls.h"
@@ -47,11 +48,7 @@ fettle_code fettle_hosted_find(fettle_hosted* hosted, const char* path, fettle_i
     return with(__func__, hosted, [&](Game& game) {
         const char* const name = text_of("path", path);
         fettle_instance& result = needed("found", found);
-        const property::Place place = property::resolve(game.tree, name);
-        if (place.property != nullptr)
-            throw Failure{FETTLE_INVALID,
-                          std::string(name) + ": expected an instance, got a property"};
-        result = converted(place.instance);
+        result = converted(property::find_instance(game.tree, name));
     });
 }
 

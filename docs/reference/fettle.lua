@@ -3215,7 +3215,7 @@ function help(anything) end
 ---Lists the edits, the latest first.
 function history() end
 
----Writes the tweaks that match into files which the next run reads: tweaks of an instance of a scene file into that file, tweaks of an instance that a script made into `main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` beside a game that is one file). keep("world.ball.*").
+---Writes the tweaks that match into files which the next run reads: tweaks of an instance of a scene file into that file, tweaks of an instance that a script made into `main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` beside a game that is one file `NAME.lua`). keep("world.ball.*").
 ---@param pattern string
 function keep(pattern) end
 

@@ -9,6 +9,7 @@
 
 #include <fettle/script/runtime.h>
 
+#include <command_line/crash_report.h>
 #include <command_line/exit_status.h>
 
 namespace fettle::program {
@@ -58,7 +59,7 @@ void on_signal(int number) {
 void on_alarm(int) {
     alarms = alarms + 1;
     if (alarms > max_alarms) {
-        write_at_once("fettle: the run did not end in time: it ends at once\n");
+        write_last_words("the run did not end in time: it ends at once");
         ::_exit(status_of_signal(end_signal));
     }
     if (script::Runtime* runtime = interruptible.load()) runtime->interrupt();

@@ -2,10 +2,11 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
+#include <deque>
 #include <new>
 #include <utility>
-#include <vector>
 
 #include <command_line/exit_status.h>
 #include <command_line/terminal.h>
@@ -14,9 +15,16 @@ namespace fettle::program {
 
 namespace {
 
-std::vector<std::string>& guarded() {
-    static std::vector<std::string> what;
+/// A deque, whose elements stay where they are.
+std::deque<std::string>& guarded() {
+    static std::deque<std::string> what;
     return what;
+}
+
+std::atomic<const char*> last_work{nullptr};
+
+void note_last_work() {
+    last_work = guarded().empty() ? nullptr : guarded().back().c_str();
 }
 
 void report_exit() {
@@ -31,12 +39,19 @@ void report_exit() {
 
 ExitGuard::ExitGuard(std::string what) {
     guarded().push_back(std::move(what));  // made before the handler, so it still exists in it
+    note_last_work();
     static const bool registered = std::atexit(report_exit) == 0;
     if (!registered) throw std::bad_alloc();
 }
 
 ExitGuard::~ExitGuard() {
+    last_work = nullptr;
     guarded().pop_back();
+    note_last_work();
+}
+
+const char* guarded_work() noexcept {
+    return last_work;
 }
 
 }  // namespace fettle::program

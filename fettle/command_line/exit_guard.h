@@ -15,4 +15,7 @@ class ExitGuard {
     ExitGuard& operator=(const ExitGuard&) = delete;
 };
 
+/// `what` of the last guard; null without one. May be called in a signal handler.
+const char* guarded_work() noexcept;
+
 }  // namespace fettle::program

@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 
+#include <command_line/crash_report.h>
 #include <command_line/exit_status.h>
 
 namespace fettle::program {
@@ -36,12 +38,12 @@ void TurnLimit::watch() {
     while (!wake_.wait_for(lock, tick, [this] { return ends_; })) {
         lasted_ += std::chrono::duration<double>(tick).count();
         if (lasted_ <= seconds_) continue;
-        std::fprintf(stderr,
-                     "fettle: after step %llu, the game did not come back for %g seconds, and "
-                     "nothing could stop it: the run ends at once\n",
-                     static_cast<unsigned long long>(steps_), seconds_);
-        // The thread of the game may hold the lock of the output forever.
-        if (ftrylockfile(stdout) == 0) std::fflush(stdout);
+        std::array<char, 200> reason;
+        std::snprintf(reason.data(), reason.size(),
+                      "after step %llu, the game did not come back for %g seconds, and nothing "
+                      "could stop it: the run ends at once",
+                      static_cast<unsigned long long>(steps_), seconds_);
+        write_last_words(reason.data());
         ::_exit(script_error);
     }
 }

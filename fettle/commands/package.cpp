@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cctype>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,6 +18,7 @@
 #include <game/packed_modules.h>
 #include <packing/folder_and_deb.h>
 #include <packing/package_problems.h>
+#include <packing/scene_problems.h>
 
 namespace fettle::program {
 
@@ -35,19 +35,54 @@ struct PackageOptions {
     std::vector<std::string> made{};  // names of files that the game itself makes
 };
 
-/// A Debian package needs a name of at least two characters.
-std::string file_name_of(const std::string& name) {
-    const std::string dashed = dashed_name(name);
-    return dashed.size() < 2 ? "game" : dashed;
+/// A Debian package needs a name of at least two characters. A name without letters and digits of
+/// ASCII has none, and "fettle" is the package of Fettle itself: then the name is made of the id.
+std::string file_name_of(const std::string& name, const std::string& id) {
+    const std::string of_name = dashed_name(name), of_id = dashed_name(id);
+    if (of_name.size() >= 2 && of_name != "fettle") return of_name;
+    if (of_id.size() >= 2 && of_id != "fettle") return of_id;
+    return of_name == "fettle" ? "fettle-game" : "game";
 }
 
-/// Digits, letters and dots, beginning with a digit.
+/// Digits, letters and dots, beginning with a digit. What follows a dash comes before the version
+/// without it, as 1.0-beta before 1.0; Debian writes ~ for that.
 std::string version_of(const std::string& version) {
     std::string plain;
-    for (const char c : version)
-        if ((c >= '0' && c <= '9') || (!plain.empty() && (std::isalpha(c) != 0 || c == '.')))
+    for (const char c : version) {
+        const bool digit = c >= '0' && c <= '9';
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.';
+        if (digit || (!plain.empty() && letter))
             plain += c;
+        else if (!plain.empty() && plain.back() != '~' && (c == '-' || c == '_' || c == '+'))
+            plain += c == '-' ? '~' : '.';
+    }
     return plain.empty() ? "0.1" : plain;
+}
+
+/// "NAME <EMAIL>", which Debian requires.
+std::string maintainer_of(const std::string& author) {
+    constexpr std::string_view nobody = " <unknown@localhost>";
+    const std::size_t open = author.find('<'), close = author.find('>');
+    const bool has_address = open != std::string::npos && open > 0 && close == author.size() - 1 &&
+                             author.find('@', open) < close &&
+                             author.find('<', open + 1) == author.npos;
+    std::string plain;
+    for (const char c : author)
+        if (c >= ' ' || static_cast<unsigned char>(c) >= 0x80)
+            if (has_address || (c != '<' && c != '>')) plain += c;
+    if (plain.empty()) plain = "unknown";
+    return has_address ? plain : plain + std::string(nobody);
+}
+
+/// Says which facts of the game are others in the package.
+void print_changes(const property::GameSettings& settings, const PackageFacts& facts) {
+    if (!settings.version.empty() && settings.version != facts.version)
+        print_line(
+            "note: the version \"" + on_one_line(settings.version) + "\" is " + facts.version +
+            " there: such a version has letters, digits, dots and ~, and begins with a digit");
+    if (dashed_name(facts.name) != facts.id)
+        print_line("note: the files of \"" + facts.name + "\" are called " + facts.id +
+                   " there: such a name has at least two letters or digits, and is not \"fettle\"");
 }
 
 PackageFacts facts_of(const fs::path& game) {
@@ -56,13 +91,10 @@ PackageFacts facts_of(const fs::path& game) {
     std::string name = settings.name;
     if (name.empty())
         name = (folder.has_filename() ? folder : folder.parent_path()).stem().string();
-    std::string author;
-    for (const char c : settings.author)
-        if (c >= ' ' && c != '<' && c != '>') author += c;
     return {.name = on_one_line(name),
-            .id = file_name_of(name),
+            .id = file_name_of(name, settings.id),
             .version = version_of(settings.version),
-            .author = author};
+            .maintainer = maintainer_of(settings.author)};
 }
 
 void print_left_out(const PackedGame& packed) {
@@ -81,7 +113,9 @@ int package(const PackageOptions& options) {
     const PackageFacts facts = facts_of(game);
     const PackedGame packed = packed_game(game, read_settings(game).package_exclude);
     ArchiveFiles files = packed.files;
-    const std::vector<std::string> problems = problems_of(packed, options.made);
+    std::vector<std::string> problems = problems_of(packed, options.made);
+    // A game with a missing file often cannot be loaded.
+    if (problems.empty()) problems = scene_problems(game, packed);
     for (const std::string& problem : problems) print_error(problem);
     if (!problems.empty()) {
         print_error(
@@ -98,7 +132,10 @@ int package(const PackageOptions& options) {
                    for_shell(options.file.string()));
     }
     std::vector<fs::path> libraries;
-    if (!options.linux_run.empty() || !options.deb.empty()) libraries = bring_modules(game, files);
+    if (!options.linux_run.empty() || !options.deb.empty()) {
+        libraries = bring_modules(game, files);
+        print_changes(read_settings(game), facts);
+    }
     if (!options.linux_run.empty()) {
         make_folder(options.linux_run, facts, files, libraries);
         print_line(options.linux_run.string() + ": " + start_of_folder(facts) +

@@ -7,6 +7,7 @@
 #include <fettle/property/exception_text.h>
 
 #include <command_line/arguments.h>
+#include <command_line/crash_report.h>
 #include <command_line/exit_guard.h>
 #include <command_line/exit_status.h>
 #include <command_line/subcommand.h>
@@ -38,6 +39,7 @@ int run_command(int argc, char** argv) {
     // A write beyond the file size limit then fails with an error for that file; the signal would
     // end the process.
     std::signal(SIGXFSZ, SIG_IGN);
+    report_crashes();
     CLI::App app("Fettle: 2D games in which every property of every object is live.", "fettle");
     app.set_version_flag("--version", version_text());
     app.allow_extras();

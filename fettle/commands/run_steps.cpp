@@ -10,6 +10,7 @@
 
 #include <command_line/end_request.h>
 #include <command_line/terminal.h>
+#include <game/game_modules.h>
 
 namespace fettle::program {
 
@@ -38,11 +39,13 @@ void close(Session& session) {
 
 int finish(Session& session, const RunOptions& options, app::Screen* screen) {
     EndRequest::limit_scripts(0);
+    // A module may fail to compute its hash.
+    const std::uint64_t hash = options.hash ? session.loop().hash() : 0;
     int status = session.exit_status();
     if (EndRequest::signal() != 0) status = status_of_signal(EndRequest::signal());
     if (const std::string problem = session.recording_problem(); !problem.empty())
         status = complain(file_error, problem);
-    if (options.hash) std::printf("%016" PRIx64 "\n", session.loop().hash());
+    if (options.hash) std::printf("%016" PRIx64 "\n", hash);
     if (!options.screenshot.empty() && screen != nullptr) {
         try {
             screen->save(options.screenshot);
@@ -86,7 +89,9 @@ bool limit_calls(script::Runtime& runtime, const RunOptions& options) {
 }
 
 double longest_turn(const RunOptions& options) {
-    if (!options.sandbox) return 0;
+    // Scripts are stopped by the limit of their calls, native modules are not.
+    const bool native = !options.modules.empty() || !manifest(options.game).empty();
+    if (!options.sandbox && !(options.budget && native)) return 0;
     // A turn has many calls, and a sandbox with a small budget may have large images.
     constexpr double calls = 15, shortest = 5;
     return std::max(

@@ -31,6 +31,14 @@ std::vector<std::string> test_files(const fs::path& game) {
         if (it->path().extension() == ".lua")
             files.push_back((fs::path("tests") / it->path().filename()).generic_string());
     std::ranges::sort(files);
+    for (fs::recursive_directory_iterator it(folder_of(game) / "tests", error), end;
+         !error && it != end; it.increment(error))
+        if (it.depth() > 0 && it->path().extension() == ".lua") {
+            print_line("note  " +
+                       it->path().parent_path().lexically_relative(folder_of(game)).string() +
+                       ": only the files in tests itself are run, not those of its folders");
+            break;
+        }
     if (files.empty())
         throw FileError(folder_of(game).string() +
                         ": this game has no tests; they are in files tests/NAME.lua");
@@ -86,12 +94,14 @@ class Suite {
     void run(const std::string& file) {
         TestList list;
         try {
+            const ExitGuard guard(file);
             list = list_tests(options_, file);
         } catch (const property::FileError& error) {  // a pipe, a folder
             list.outcome = {.file = file, .name = {}, .message = error.what()};
         }
         // Nothing can be tested if the game or the file cannot be loaded.
         if (!list.outcome.passed) return add(list.outcome);
+        if (list.names.empty()) print_line("note  " + file + ": it has no test");
         for (const std::string& name : list.names) {
             if (EndRequest::signal() != 0) return;
             const bool wanted = file.find(options_.filter) != std::string::npos ||

@@ -39,7 +39,7 @@ int where(const WhereOptions& options) {
         print_place("preferences", player / "preferences.json");
     }
     if (!archive_of(game).empty())
-        print_line("tweaks       none: a game in one file keeps no tweaks");
+        print_line("tweaks       none: a game in an archive (.fettle) keeps no tweaks");
     else
         print_place("tweaks", property::journal_of(game));
     return success;

@@ -51,6 +51,24 @@ struct CloseUnzip {
     void operator()(void* archive) const { unzClose(archive); }
 };
 
+/// The name of a method of compression that the library cannot unpack.
+std::string method_name(unsigned long method) {
+    switch (method) {
+        case 9:
+            return "deflate64";
+        case 12:
+            return "bzip2";
+        case 14:
+            return "LZMA";
+        case 93:
+            return "Zstandard";
+        case 95:
+            return "XZ";
+        default:
+            return "method " + std::to_string(method);
+    }
+}
+
 /// Reads the current file of the archive.
 std::string read_current(void* archive, const fs::path& file, const std::string& name,
                          std::size_t size) {
@@ -108,6 +126,12 @@ ArchiveFiles read_archive(const fs::path& file, const std::string& only) {
             refuse(file, "is too large: a game has at most 1 GiB in " + std::to_string(most_files) +
                              " files");
         if (!only.empty() && name != only) continue;
+        if (info.compression_method != 0 && info.compression_method != Z_DEFLATED)
+            refuse(file, "\"" + name + "\" is compressed by " +
+                             method_name(info.compression_method) +
+                             ", expected deflate, or no compression");
+        if ((info.flag & 1) != 0)
+            refuse(file, "\"" + name + "\" is encrypted, expected a file without a password");
         files[name] = read_current(archive.get(), file, name, info.uncompressed_size);
     }
     return files;

@@ -1,5 +1,10 @@
 #include <game/game_modules.h>
 
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fettle/property/spelling.h>
 #include <fettle/property/storage/game_files.h>
 #include <fettle/property/storage/game_settings.h>
 
@@ -30,6 +35,32 @@ void each_in_manifest(const fs::path& game, const std::function<void(const std::
     property::read_module_list(files, folder_of(game), visit);
 }
 
+/// The nearest name of a module in the folders, as " (did you mean ...)"; with `ending`, of a file.
+std::string nearest(const std::string& name, std::initializer_list<fs::path> folders, bool ending) {
+    std::set<std::string> known;
+    for (const fs::path& folder : folders) {
+        std::error_code error;
+        for (fs::directory_iterator it(folder, error), end; !error && it != end;
+             it.increment(error))
+            if (it->path().extension() == ".so")
+                known.insert((ending ? it->path().filename() : it->path().stem()).string());
+    }
+#ifdef FETTLE_WITH_PHYSICS
+    if (!ending) known.insert("physics");
+#endif
+    return property::suggestion(name, std::vector<std::string>(known.begin(), known.end()));
+}
+
+/// Throws FileError with the nearest name if there is nothing of that name.
+fs::path existing(const fs::path& file) {
+    std::error_code error;
+    const std::string name = file.filename().string();
+    const std::string near =
+        fs::exists(file, error) ? "" : nearest(name, {file.parent_path()}, true);
+    if (!near.empty()) throw FileError(file.string() + ": there is no such file" + near);
+    return file;
+}
+
 bool is_path(const std::string& name) {
     const fs::path file(name);
     return file.has_parent_path() || file.extension() == ".so";
@@ -46,9 +77,10 @@ std::vector<std::string> manifest(const fs::path& game) {
 fs::path module_file(const std::string& name, const fs::path& game) {
     const fs::path given(name);
     const fs::path folder = folder_of(game);
+    if (name.empty()) throw FileError("a module: expected a file or a name, got an empty text");
     if (is_path(name)) {
         std::error_code error;
-        return given.is_absolute() || fs::exists(given, error) ? given : folder / given;
+        return existing(given.is_absolute() || fs::exists(given, error) ? given : folder / given);
     }
     fs::path beside = folder / (name + ".so");
     std::error_code error;
@@ -56,11 +88,13 @@ fs::path module_file(const std::string& name, const fs::path& game) {
     fs::path installed = installed_modules() / (name + ".so");
     if (fs::exists(installed, error)) return installed;
     throw FileError("module \"" + name + "\": there is neither " + beside.string() + " nor " +
-                    installed.string());
+                    installed.string() +
+                    nearest(name, {beside.parent_path(), installed.parent_path()}, false));
 }
 
 fs::path listed_module_file(const std::string& name, const fs::path& game) {
-    return is_path(name) ? (folder_of(game) / name).lexically_normal() : module_file(name, game);
+    return is_path(name) ? existing((folder_of(game) / name).lexically_normal())
+                         : module_file(name, game);
 }
 
 /// A plugged-in module, with the values that `game.modules` shows.
@@ -96,9 +130,47 @@ GameModules::GameModules(const fs::path& game, std::span<const std::string> name
 
 GameModules::~GameModules() = default;
 
+/// A class that is named may be one of a later module.
+void GameModules::require_classes_of_references(const property::Tree& tree) const {
+    std::vector<std::string> names;
+    for (const property::Class* each : tree.classes()) names.push_back(each->name());
+    const auto require = [&](const std::string& of, const std::string& wanted) {
+        if (!wanted.empty() && tree.find_class(wanted) == nullptr)
+            throw FileError("a module: " + of + " refers to a class \"" + wanted +
+                            "\", which no module has" + property::suggestion(wanted, names));
+    };
+    if (plugins_.all().empty()) return;
+    for (const property::Class* each : tree.classes()) {
+        for (const property::Property* p : each->properties())
+            require(each->name() + "." + p->name, p->reference_class);
+        for (const property::Method* m : each->methods())
+            for (const auto* fields : {&m->parameters, &m->returns})
+                for (const property::Field& field : *fields)
+                    require(each->name() + ":" + m->name + "()", field.reference_class);
+    }
+}
+
 void GameModules::attach(property::Tree& tree) {
     for (const auto& m : built_in_) m->attach(tree);
-    for (const auto& plugin : plugins_.all()) plugin->attach(tree);
+    std::map<const property::Class*, std::string> makers;
+    const auto note_makers = [&](const std::string& of) {
+        for (const property::Class* each : tree.classes()) makers.try_emplace(each, of);
+    };
+    note_makers("");
+    for (const auto& plugin : plugins_.all()) {
+        try {
+            plugin->attach(tree);
+        } catch (const module::LoadError& error) {
+            for (const auto& [each, maker] : makers)
+                if (!maker.empty() &&
+                    std::string(error.what())
+                        .ends_with("there is a class \"" + each->name() + "\" already"))
+                    throw module::LoadError(error.what() + (", in the module " + maker));
+            throw;
+        }
+        note_makers(std::string(plugin->name()));
+    }
+    require_classes_of_references(tree);
     if (!plugins_.all().empty()) define_service(tree);
 }
 
@@ -112,6 +184,14 @@ std::vector<module::Module*> GameModules::all() const {
 void GameModules::on_print(std::function<void(std::string_view)> sink) {
     print_ = std::move(sink);
     for (const auto& plugin : plugins_.all()) plugin->on_print(print_);
+}
+
+void GameModules::on_error(
+    const std::function<void(const std::string& module, const std::string& message)>& sink) {
+    for (const auto& plugin : plugins_.all())
+        plugin->on_error([sink, name = std::string(plugin->name())](const std::string& message) {
+            sink(name, message);
+        });
 }
 
 void GameModules::on_note(const std::function<void(const std::string&)>& sink) {

@@ -34,6 +34,9 @@ class GameModules {
     std::vector<module::Module*> all() const;
     /// Sets the receiver of the modules' output and of the messages about reloads.
     void on_print(std::function<void(std::string_view)> sink);
+    /// Sets the receiver of errors of functions of plugged-in modules that return no status.
+    void on_error(
+        const std::function<void(const std::string& module, const std::string& message)>& sink);
     /// Sets the receiver of notes that the built-in physics module makes about the game. To be
     /// called after `attach`.
     void on_note(const std::function<void(const std::string&)>& sink);
@@ -44,6 +47,7 @@ class GameModules {
   private:
     struct Plugged;
     void define_service(property::Tree& tree);
+    void require_classes_of_references(const property::Tree& tree) const;
     void reload(Plugged& plugged);
 
     std::vector<std::unique_ptr<module::Module>> built_in_;

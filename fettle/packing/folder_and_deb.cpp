@@ -197,8 +197,8 @@ void make_debian_package(const fs::path& to, const PackageFacts& facts, const Ar
     write_with_folder(
         root / "DEBIAN/control",
         "Package: " + facts.id + "\nVersion: " + facts.version + "\nArchitecture: " + architecture +
-            "\nMaintainer: " + (facts.author.empty() ? "unknown" : facts.author) +
-            " <unknown@localhost>\nSection: games\nPriority: optional\n"
+            "\nMaintainer: " + facts.maintainer +
+            "\nSection: games\nPriority: optional\n"
             "Depends: libc6, libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
             facts.name + "\n A game made with Fettle.\n");
     run_tool({"dpkg-deb", "--build", "--root-owner-group", "-Zgzip", root.string(), made.string()});

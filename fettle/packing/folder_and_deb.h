@@ -10,10 +10,10 @@
 namespace fettle::program {
 
 struct PackageFacts {
-    std::string name;     // for players: "Cave Of Lanterns"
-    std::string id;       // of files: "cave-of-lanterns"
-    std::string version;  // "1.0"
-    std::string author;
+    std::string name;        // for players: "Cave Of Lanterns"
+    std::string id;          // of files: "cave-of-lanterns"
+    std::string version;     // "1.0"
+    std::string maintainer;  // "Ada <ada@example.org>"
 };
 
 /// The name of the file that starts the game in the folder: the id, unless a folder in it has that

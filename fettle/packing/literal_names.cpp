@@ -11,9 +11,9 @@ namespace fettle::program {
 namespace {
 
 bool is_file_name(const std::string& text) {
-    constexpr std::array<std::string_view, 18> endings = {
-        ".png", ".jpg", ".jpeg", ".bmp",  ".tga", ".wav", ".ogg", ".flac", ".mp3",
-        ".ttf", ".otf", ".ttc",  ".json", ".tmj", ".tmx", ".tsj", ".tsx",  ".frag"};
+    constexpr std::array<std::string_view, 20> endings = {
+        ".png", ".jpg", ".jpeg", ".bmp", ".tga", ".wav", ".ogg", ".flac", ".mp3", ".ttf",
+        ".otf", ".ttc", ".json", ".tmj", ".tmx", ".tsj", ".tsx", ".tj",   ".tx",  ".frag"};
     if (text.size() > 300 || text.find_first_of("*?%\n\t") != std::string::npos ||
         text.find("://") != std::string::npos)
         return false;

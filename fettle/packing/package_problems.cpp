@@ -90,7 +90,7 @@ std::vector<std::string> problems_of(const PackedGame& game, const std::vector<s
             if (std::string why = script::syntax_error(content, file); !why.empty())
                 problems.push_back(std::move(why));
         const std::string ending = fs::path(file).extension().string();
-        constexpr std::string_view data[] = {".json", ".tmj", ".tmx", ".tsj", ".tsx"};
+        constexpr std::string_view data[] = {".json", ".tmj", ".tmx", ".tsj", ".tsx", ".tj", ".tx"};
         if (!script && std::ranges::find(data, ending) == std::end(data)) continue;
         for (const LiteralName& name : script ? names_in_script(content) : names_in_data(content)) {
             if (name.written || std::ranges::find(made, name.name) != made.end()) continue;

@@ -30,6 +30,17 @@ void Session::fail(const script::ScriptError& error) {
     if (receivers_.errors) receivers_.errors(error);
 }
 
+/// An error of a native module is one of the game. A function that draws is called again while the
+/// game is halted, and after the end of the run modules delete their instances.
+void Session::module_failed(const std::string& module, const std::string& message) {
+    script::ScriptError error;
+    error.message = module + ": " + message;
+    error.context = "native module";
+    if (run_.ending) return note("error in " + error.context + ": " + error.message);
+    if (loop_->halted()) return report_error(error);
+    fail(error);
+}
+
 /// A method that fails for each of a hundred instances is reported once, with the count.
 void Session::report_error(const script::ScriptError& error) {
     if (!repeated_.first(error)) return;

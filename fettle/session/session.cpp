@@ -24,7 +24,6 @@ namespace fettle::program {
 
 namespace {
 
-constexpr std::string_view icon_setting = "game.json: icon";
 constexpr std::array<std::string_view, 5> image_endings = {".png", ".jpg", ".jpeg", ".bmp", ".tga"};
 
 /// The game. Throws FileError if it is not trusted and has native modules, before these run.
@@ -132,7 +131,7 @@ void Session::read_settings() {
     settings_ = property::read_game_settings(files_, options_.game, FETTLE_VERSION);
     if (settings_.icon.empty()) return;
     try {
-        files_.note_read(assets_.find(icon_setting, settings_.icon, image_endings));
+        files_.note_read(assets_.find(settings_.icon_at + ": icon", settings_.icon, image_endings));
     } catch (const property::Error& error) {
         throw FileError(error.what());
     }
@@ -247,6 +246,9 @@ void Session::add_modules() {
         report_error(report);  // the run continues, and the widget keeps its value
     });
     modules_.on_print([this](std::string_view text) { print(text); });
+    modules_.on_error([this](const std::string& module, const std::string& message) {
+        module_failed(module, message);
+    });
     modules_.on_note([this](const std::string& text) { note("note: " + text); });
     loop_->between_frames([this] {
         modules_.renew();

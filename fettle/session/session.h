@@ -170,6 +170,7 @@ class Session {
     std::unique_ptr<property::Store> new_store(KeptFile which, const std::filesystem::path& folder);
     void make_recorder();
     void fail(const script::ScriptError& error);
+    void module_failed(const std::string& module, const std::string& message);
     /// In the log, and in the terminal unless it has another receiver.
     void show_error(const script::ScriptError& error);
     void report_repeated_errors();

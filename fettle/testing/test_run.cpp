@@ -5,15 +5,16 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <system_error>
 
 #include <fettle/app/screen.h>
 #include <fettle/property/exception_text.h>
 
+#include <command_line/crash_report.h>
 #include <command_line/end_request.h>
 #include <files/game_path.h>
 #include <session/session.h>
+#include <testing/test_limit.h>
 
 namespace fettle::program {
 
@@ -72,11 +73,6 @@ fs::path folder_for_failures(const fs::path& game) {
     return ".";
 }
 
-/// Processor time that this process has used until now.
-double processor_seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 /// The share of the pixels that differ visibly in a channel, 0 to 1.
 double difference(const app::Pixels& a, const app::Pixels& b) {
     constexpr int visible = 16;  // of 255
@@ -108,13 +104,23 @@ class TestRun {
     TestOutcome run() {
         const Clock::time_point begun = Clock::now();
         const double begun_processor = processor_seconds();
+        const TestLimit limit(options_.timeout);
+        CollectedOutput collected;
         {
             Session session(run_, nullptr,
                             [this](const script::ScriptError& error) { fail(error); });
             const EndRequest::Scripts scripts(session.runtime());
-            session.on_output(
-                [this](std::string_view text) { outcome_.output += std::string(text) + "\n"; });
-            session.runtime().limit_calls(static_cast<double>(options_.timeout), {});
+            session.on_output([&](std::string_view text) {
+                collected.is({});
+                outcome_.output += std::string(text) + "\n";
+                collected.is(outcome_.output);
+            });
+            // All calls of the test together have one limit.
+            const auto limit_of_all = static_cast<double>(options_.timeout);
+            session.runtime().limit_calls(
+                std::min(1.0, limit_of_all), [=](const script::LongCall&) {
+                    return processor_seconds() - begun_processor <= limit_of_all;
+                });
             session.test()->on_picture([&](const std::string& name, double tolerance) {
                 return compare(session, name, tolerance);
             });

@@ -50,6 +50,15 @@ std::size_t line_of(std::string_view text, std::size_t byte) {
     return 1 + static_cast<std::size_t>(std::ranges::count(before, '\n'));
 }
 
+std::size_t column_of(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    const std::size_t line = before.rfind('\n');  // npos + 1 is 0
+    // A character of UTF-8 has one byte that does not continue it.
+    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+    const auto characters = std::ranges::count_if(before.substr(line + 1), begins);
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(characters, 1));
+}
+
 Json parse_document(const std::string& file, std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
     const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -59,8 +68,8 @@ Json parse_document(const std::string& file, std::string_view text) {
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
-        fail(file,
-             "line " + std::to_string(line_of(text, error.byte)) + ": " + reason(error.what()));
+        fail(file, "line " + std::to_string(line_of(text, error.byte)) + ", column " +
+                       std::to_string(column_of(text, error.byte)) + ": " + reason(error.what()));
     }
 }
 

@@ -18,5 +18,7 @@ Json parse_xml(const std::string& file, std::string_view text);
 [[noreturn]] void fail(const std::string& file, const std::string& message);
 /// The number of the line with this byte, from 1.
 std::size_t line_of(std::string_view text, std::size_t byte);
+/// The column of a byte, in characters, from 1.
+std::size_t column_of(std::string_view text, std::size_t byte);
 
 }  // namespace fettle::maps

@@ -64,6 +64,16 @@ std::string Reader::beside(const std::string& from, const std::string& name) {
     return (std::filesystem::path(from).parent_path() / name).lexically_normal().generic_string();
 }
 
+Json Reader::read_part(const std::string& from, const std::string& file) const {
+    std::string text;
+    try {
+        text = read_(file);
+    } catch (const property::Error& error) {
+        throw property::Error(error.kind(), std::string(error.what()) + " (named in " + from + ")");
+    }
+    return parse_document(file, text);
+}
+
 Map Reader::map() {
     const Json document = parse_document(file_, read_(file_));
     if (!document.is_object()) fail(file_, "this is not a map");

@@ -73,7 +73,7 @@ Object Reader::object(const Place& outer) {
 const Json& Reader::object_template(const Place& place, const std::string& file) {
     const auto known = templates_.find(file);
     if (known != templates_.end()) return known->second;
-    const Json document = parse_document(file, read_(file));
+    const Json document = read_part(place.file, file);
     if (!document.is_object() || !document.contains("object") || !document["object"].is_object())
         fail(file, "this is not a template of an object");
     Json object = document["object"];

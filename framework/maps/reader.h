@@ -43,6 +43,8 @@ class Reader {
 
     /// The name relative to the game's folder of a file that `from` names.
     static std::string beside(const std::string& from, const std::string& name);
+    /// The content of a file that `from` names. Errors of reading name that file, too.
+    Json read_part(const std::string& from, const std::string& file) const;
 
     const std::string& file_;
     const ReadFile& read_;

@@ -41,7 +41,7 @@ Tileset Reader::tileset(const Place& outer, const std::string& in) {
     Json external;
     if (const std::string source = outer.text("source"); !source.empty()) {
         file = beside(in, source);
-        external = parse_document(file, read_(file));
+        external = read_part(in, file);
         if (!external.is_object()) fail(file, "this is not a tileset");
         first_gids_[file] = static_cast<std::uint32_t>(first_gid);
     }

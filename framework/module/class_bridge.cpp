@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <fettle/property/utf8.h>
+
+#include "checked_values.h"
 #include "column_cell.h"
 
 namespace fettle::module {
@@ -35,9 +38,31 @@ std::vector<std::string> texts(const char* const* list) {
     return all;
 }
 
-/// An older module leaves both limits 0; then any number is allowed.
+/// An older module leaves both limits 0; then any number is allowed. Limits that are not in order
+/// are refused when the class is defined.
 property::Range range_of(double min, double max) {
-    return min < max ? property::Range{min, max} : property::Range{};
+    return min == 0 && max == 0 ? property::Range{} : property::Range{min, max};
+}
+
+/// A text for people. `of`: what it belongs to.
+std::string shown_text(const char* text, const std::string& of, const char* what) {
+    const std::string_view all = view(text);
+    for (std::size_t at = 0; at < all.size();) {
+        const std::size_t size = property::valid_code_point_size(all.substr(at));
+        if (size == 0)
+            throw property::Error(property::ErrorKind::wrong_type,
+                                  of + ": its `" + what + "` is not UTF-8 from byte " +
+                                      std::to_string(at + 1) + " on");
+        at += size;
+    }
+    return std::string(all);
+}
+
+void require_known_flags(std::uint32_t flags, std::uint32_t known, const std::string& of) {
+    if ((flags & ~known) == 0) return;
+    throw property::Error(property::ErrorKind::out_of_range, of + ": expected `flags` of at most " +
+                                                                 std::to_string(known) + ", got " +
+                                                                 std::to_string(flags));
 }
 
 std::vector<Field> fields(const fettle_array& array, const std::string& of) {
@@ -45,22 +70,13 @@ std::vector<Field> fields(const fettle_array& array, const std::string& of) {
     for (const fettle_field& field : elements<fettle_field>(array))
         all.push_back({.name = text_or_empty(field.name),
                        .type = type_of(field.type, of),
-                       .unit = text_or_empty(field.unit),
-                       .doc = text_or_empty(field.doc),
+                       .unit = shown_text(field.unit, of, "unit"),
+                       .doc = shown_text(field.doc, of, "doc"),
                        .reference_class = text_or_empty(field.reference_class),
                        .element = type_of(field.element, of),
                        .nullable = (field.flags & FETTLE_NULLABLE) != 0,
                        .range = range_of(field.min, field.max)});
     return all;
-}
-
-/// Returns the value of a getter, or the default if the property cannot hold a value of that type.
-/// So an error in a module cannot make the host read a value as the wrong type.
-Value checked(const Property& declared, Value value) {
-    if (declared.any_type || value.type() == declared.type) return value;
-    if (value.is_nil() && declared.nullable) return value;
-    if (declared.type == Type::number && value.is(Type::integer)) return value.as_double();
-    return declared.default_value;
 }
 
 Value get(void* context, Row row) {
@@ -69,9 +85,10 @@ Value get(void* context, Row row) {
     const Property& declared = *property.declared;
     if (property.removed || property.native.get == nullptr) return declared.default_value;
     try {
+        const Running running(property.named, "get");
         property.host->require(property.native.get(property.native.context, row, &value),
                                "its getter");
-        return checked(declared, received(value));
+        return checked_value(declared, received(value));
     } catch (const std::exception& problem) {
         throw property::Error(property::ErrorKind::rejected,
                               declared.owner->name() + "." + declared.name + ": " + problem.what());
@@ -84,6 +101,7 @@ void set(void* context, Row row, const Value& value) {
         throw std::invalid_argument("the module that is loaded now has made it read-only");
     Outgoing outgoing;
     const fettle_value given = outgoing.put(value);
+    const Running running(property.named, "set");
     property.host->require(property.native.set(property.native.context, row, &given),
                            property.declared->name);
 }
@@ -91,20 +109,24 @@ void set(void* context, Row row, const Value& value) {
 void reset(void* context, Row row) {
     const auto& property = *static_cast<BridgedProperty*>(context);
     if (property.removed || property.native.reset == nullptr) return;
+    const Running running(property.named, "reset");
     property.host->require(property.native.reset(property.native.context, row),
                            property.declared->name);
 }
 
 bool overridden(void* context, Row row) {
     const auto& property = *static_cast<BridgedProperty*>(context);
-    return !property.removed && property.native.overridden != nullptr &&
-           property.native.overridden(property.native.context, row) != 0;
+    if (property.removed || property.native.overridden == nullptr) return false;
+    return property.host->run(property.named, "overridden", [&] {
+        return property.native.overridden(property.native.context, row) != 0;
+    });
 }
 
 void invalidate(void* context, Row row) {
     const auto& property = *static_cast<BridgedProperty*>(context);
-    if (!property.removed && property.native.invalidate != nullptr)
-        property.native.invalidate(property.native.context, row);
+    if (property.removed || property.native.invalidate == nullptr) return;
+    property.host->run(property.named, "invalidate",
+                       [&] { property.native.invalidate(property.native.context, row); });
 }
 
 property::Result call(void* context, property::Tree&, Handle self, Row row,
@@ -114,11 +136,18 @@ property::Result call(void* context, property::Tree&, Handle self, Row row,
         throw std::invalid_argument("the module that is loaded now does not have this method");
     Outgoing outgoing;
     fettle_result result{};
+    const Running running(method.named, "call");
     method.host->require(
         method.native.call(method.native.context, sent(self), row, outgoing.put(arguments),
                            static_cast<std::uint32_t>(arguments.size()), &result),
         method.declared->name);
-    return received(result, *method.declared->record_fields);
+    property::Result answer = received(result, *method.declared->record_fields);
+    try {
+        require_returned(answer, *method.declared->record_fields);
+    } catch (const property::Error& problem) {
+        throw std::invalid_argument(problem.what());  // the caller adds the path
+    }
+    return answer;
 }
 
 }  // namespace
@@ -128,7 +157,9 @@ BridgedClass::BridgedClass(HostTable& host, const fettle_class& native)
     property::ClassDescriptor descriptor;
     descriptor.name = text_or_empty(native.name);
     if (native.base != nullptr) descriptor.base = native.base;
-    descriptor.doc = text_or_empty(native.doc);
+    require_known_flags(native.flags, FETTLE_NOT_CREATABLE | FETTLE_SAVED_NATIVELY,
+                        descriptor.name);
+    descriptor.doc = shown_text(native.doc, descriptor.name, "doc");
     descriptor.stem = text_or_empty(native.stem);
     descriptor.creatable = (native.flags & FETTLE_NOT_CREATABLE) == 0;
     descriptor.weight = native.weight;
@@ -141,16 +172,21 @@ BridgedClass::BridgedClass(HostTable& host, const fettle_class& native)
     for (const auto& event : elements<fettle_event>(native.events))
         descriptor.events.push_back({.name = text_or_empty(event.name),
                                      .fields = fields(event.fields, descriptor.name),
-                                     .doc = text_or_empty(event.doc)});
+                                     .doc = shown_text(event.doc, descriptor.name, "doc")});
     descriptor.lifecycle = lifecycle_of(native, *this);
     // If the same module makes the rows of the base class, its rows serve both classes.
     const property::Class* const base = host.tree->find_class(descriptor.base);
     descriptor.makes_base_rows = base != nullptr && makes_rows_of(*base);
     declared_ = &host.tree->define(std::move(descriptor));
+    named_ = {host.named.module, declared_->name().c_str(), nullptr};
+    const auto name = [&](auto& member, const auto* declared) {
+        member.declared = declared;
+        member.named = {named_.module, named_.class_name, declared->name.c_str()};
+    };
     for (BridgedProperty& property : properties_)
-        property.declared = declared_->property(view(property.native.name));
+        name(property, declared_->property(view(property.native.name)));
     for (BridgedMethod& method : methods_)
-        method.declared = declared_->method(view(method.native.name));
+        name(method, declared_->method(view(method.native.name)));
     write_tags();
 }
 
@@ -161,9 +197,10 @@ Property BridgedClass::bridged(const fettle_property& native) {
     property.name = text_or_empty(native.name);
     property.type = type_of(native.type, of);
     property.default_value = received(native.default_value);
-    property.unit = text_or_empty(native.unit);
+    require_known_flags(native.flags, 2 * FETTLE_SINGLE_PRECISION - 1, of);
+    property.unit = shown_text(native.unit, of, "unit");
     property.range = range_of(native.min, native.max);
-    property.doc = text_or_empty(native.doc);
+    property.doc = shown_text(native.doc, of, "doc");
     property.read_only = is(FETTLE_READ_ONLY);
     property.transient = is(FETTLE_TRANSIENT);
     property.simulated = is(FETTLE_SIMULATED);
@@ -190,6 +227,11 @@ Property BridgedClass::bridged(const fettle_property& native) {
     binding.context = &kept;
     if (native.binding == FETTLE_COLUMN) {
         bind_column(property, kept);
+    } else if (native.binding != FETTLE_ACCESSOR) {
+        throw property::Error(property::ErrorKind::out_of_range,
+                              of + ": there is no binding number " +
+                                  std::to_string(native.binding) + ", expected 0 to " +
+                                  std::to_string(FETTLE_ACCESSOR));
     } else {
         if (native.get == nullptr) throw lacks("get, which an accessor needs");
         binding.kind = BindingKind::accessor;
@@ -214,7 +256,7 @@ Method BridgedClass::bridged(const fettle_method& native) {
             .required = native.required,
             .returns = fields(native.returns, of),
             .many = native.many != 0,
-            .doc = text_or_empty(native.doc),
+            .doc = shown_text(native.doc, of, "doc"),
             .context = &kept,
             .call = call,
             .effect = native.effect == FETTLE_CHANGES_NOTHING ? property::Effect::nothing
@@ -257,13 +299,14 @@ property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, Bridg
     lifecycle.create = make_row;
     lifecycle.place = [](void* context, property::Tree&, Handle instance, Row row) {
         auto& c = *static_cast<BridgedClass*>(context);
+        const Running running(c.named_, "place");
         if (c.native_.place != nullptr)
             c.host_.require(c.native_.place(c.native_.context, sent(instance), &row), "place");
         return row;
     };
     lifecycle.destroy = [](void* context, property::Tree&, Handle instance, Row row) {
         auto& c = *static_cast<BridgedClass*>(context);
-        if (c.native_.destroy != nullptr) c.native_.destroy(c.native_.context, sent(instance), row);
+        c.destroy(instance, row);
         c.instances_.erase({instance.index, instance.generation});
     };
     if (native.draw != nullptr)
@@ -272,7 +315,9 @@ property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, Bridg
             auto& c = *static_cast<BridgedClass*>(context);
             if (c.native_.draw == nullptr) return;
             const fettle_painter table = painter_table(painter);
-            c.native_.draw(c.native_.context, sent(instance), row, &table, alpha);
+            c.host_.run(c.named_, "draw", [&] {
+                c.native_.draw(c.native_.context, sent(instance), row, &table, alpha);
+            });
         };
     if (native.draw_over != nullptr)
         lifecycle.draw_over = [](void* context, const property::Tree&, Handle instance, Row row,
@@ -280,7 +325,9 @@ property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, Bridg
             auto& c = *static_cast<BridgedClass*>(context);
             if (c.native_.draw_over == nullptr) return;
             const fettle_painter table = painter_table(painter);
-            c.native_.draw_over(c.native_.context, sent(instance), row, &table, alpha);
+            c.host_.run(c.named_, "draw_over", [&] {
+                c.native_.draw_over(c.native_.context, sent(instance), row, &table, alpha);
+            });
         };
     if (native.pose != nullptr)
         lifecycle.pose = [](void* context, const property::Tree&, Handle instance, Row row,
@@ -288,7 +335,9 @@ property::Lifecycle BridgedClass::lifecycle_of(const fettle_class& native, Bridg
             auto& c = *static_cast<BridgedClass*>(context);
             double m[] = {1, 0, 0, 1, 0, 0};
             if (c.native_.pose != nullptr)
-                c.native_.pose(c.native_.context, sent(instance), row, alpha, m);
+                c.host_.run(c.named_, "pose", [&] {
+                    c.native_.pose(c.native_.context, sent(instance), row, alpha, m);
+                });
             return property::Transform{{m[0], m[1]}, {m[2], m[3]}, {m[4], m[5]}};
         };
     return lifecycle;
@@ -300,6 +349,7 @@ fettle_row BridgedClass::create(Handle self) {
                               "the module of " + declared_->name() + " is not loaded any more");
     fettle_row row = 0;
     if (native_.create != nullptr) try {
+            const Running running(named_, "create");
             host_.require(native_.create(native_.context, sent(self), &row),
                           "create of " + declared_->name());
         } catch (const std::invalid_argument& refused) {
@@ -313,13 +363,18 @@ void BridgedClass::revive(Handle self) {
     fettle_row row = create(self);
     host_.tree->set_row(self, row);
     if (native_.place == nullptr || !host_.tree->parent(self)) return;
+    const Running running(named_, "place");
     host_.require(native_.place(native_.context, sent(self), &row), "place");
     host_.tree->set_row(self, row);
 }
 
-void BridgedClass::retire(Handle self) {
+void BridgedClass::destroy(Handle self, Row row) {
     if (native_.destroy != nullptr)
-        native_.destroy(native_.context, sent(self), host_.tree->row(self));
+        host_.run(named_, "destroy", [&] { native_.destroy(native_.context, sent(self), row); });
+}
+
+void BridgedClass::retire(Handle self) {
+    destroy(self, host_.tree->row(self));
 }
 
 void BridgedClass::recount() {

@@ -22,6 +22,7 @@ struct BridgedProperty {
     HostTable* host = nullptr;
     const property::Property* declared = nullptr;
     fettle_property native{};
+    Named named{};
     bool removed = false;  // the current module does not have this property
 };
 
@@ -29,6 +30,7 @@ struct BridgedMethod {
     HostTable* host = nullptr;
     const property::Method* declared = nullptr;
     fettle_method native{};
+    Named named{};
     bool removed = false;
 };
 
@@ -72,12 +74,14 @@ class BridgedClass {
     property::Property bridged(const fettle_property& native);
     property::Method bridged(const fettle_method& native);
     void write_tags();
+    void destroy(property::Handle self, property::Row row);
     /// True if the same module makes the rows of the class `base`.
     bool makes_rows_of(const property::Class& base) const;
     static property::Lifecycle lifecycle_of(const fettle_class& native, BridgedClass& self);
 
     HostTable& host_;
     fettle_class native_{};
+    Named named_{};
     const property::Class* declared_ = nullptr;
     std::deque<BridgedProperty> properties_;  // deques: the tree keeps pointers to the elements
     std::deque<BridgedMethod> methods_;

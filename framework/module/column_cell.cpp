@@ -20,6 +20,7 @@ namespace {
 std::byte* cell(const BridgedProperty& p, Row row) {
     const std::size_t stride =
         p.native.stride != 0 ? p.native.stride : size_of(static_cast<Native>(p.native.native));
+    const Running running(p.named, "base");
     auto* const base = static_cast<std::byte*>(p.native.base(p.native.context));
     if (base == nullptr) [[unlikely]] {
         const std::string reason = p.host->take_reason();

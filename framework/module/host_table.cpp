@@ -1,10 +1,12 @@
 #include "host_table.h"
 
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
 #include <fettle/property/acceptance.h>
 #include <fettle/property/drawing.h>
+#include <fettle/property/find_instance.h>
 #include <fettle/property/path.h>
 #include <fettle/property/question.h>
 #include <fettle/property/restoring.h>
@@ -35,6 +37,22 @@ void HostTable::require(fettle_status status, std::string_view what) {
         reason = std::string(what) + " failed with status " + std::to_string(status) +
                  " and gave no reason";
     throw std::invalid_argument(reason);
+}
+
+void HostTable::report_failure(const Named& of, const char* function) noexcept {
+    if (reason_.empty()) return;
+    std::string text = function;
+    if (of.class_name != nullptr) text += std::string(" of ") + of.class_name;
+    if (of.member != nullptr) text += std::string(".") + of.member;
+    text += ": " + take_reason();
+    // The receivers report only; an exception of theirs cannot be handled here.
+    try {
+        if (const auto sink = failed)  // a copy, because it may replace itself
+            sink(text);
+        else if (const auto line = print)
+            line(text_or_empty(of.module) + ": " + text);
+    } catch (...) {
+    }
 }
 
 namespace {
@@ -90,6 +108,12 @@ struct HostFunctions {
             if (descriptor == nullptr || descriptor->struct_size == 0)
                 throw Error(ErrorKind::bad_structure,
                             "a class descriptor with its struct_size is expected");
+            constexpr std::size_t least = offsetof(fettle_class, pose);  // that of version 1.0
+            if (descriptor->struct_size < least)
+                throw Error(ErrorKind::bad_structure,
+                            "a class descriptor: expected a struct_size of at least " +
+                                std::to_string(least) + " bytes, got " +
+                                std::to_string(descriptor->struct_size));
             host.define_class(known_part<fettle_class>(descriptor, descriptor->struct_size));
         });
     }
@@ -138,11 +162,7 @@ struct HostFunctions {
     static fettle_status find(void* self, const char* path, fettle_handle* found) {
         return host_of(self).guarded([&](property::Tree& tree) {
             fettle_handle& result = required(found, "found");
-            const property::Place place = property::resolve(tree, text_or_empty(path));
-            if (place.property != nullptr)
-                throw Error(ErrorKind::wrong_type,
-                            text_or_empty(path) + ": expected an instance, got a property");
-            result = sent(place.instance);
+            result = sent(property::find_instance(tree, text_or_empty(path)));
         });
     }
     static fettle_status path(void* self, fettle_handle instance, const char** path) {

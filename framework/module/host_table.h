@@ -12,6 +12,7 @@
 #include <fettle/property/tree.h>
 
 #include "c_values.h"
+#include "running.h"
 
 namespace fettle::module {
 
@@ -38,6 +39,11 @@ class HostTable {
     /// registered again. It and its instances are not found then, as at the start of a game.
     std::function<bool(const property::Class&)> unknown{};
     std::function<void(std::string_view)> print{};
+    /// Gets the errors of functions that return no status: "step: no wind". Without it, they are
+    /// printed.
+    std::function<void(const std::string&)> failed{};
+    /// The module, for `running_function`.
+    Named named{};
 
     /// Returns and clears the reason that the module's last callback gave; "" if it gave none.
     std::string take_reason();
@@ -45,6 +51,26 @@ class HostTable {
     /// is the module's reason. Without one, it is the error of the host function that returned the
     /// same status, which the callback has passed on.
     void require(fettle_status status, std::string_view what);
+
+    /// Calls a function of the module that returns no status. If it gives a reason to `fail`, this
+    /// is an error of the module.
+    template <class Function>
+    auto run(const Named& of, const char* function, Function&& body) {
+        struct Reported {
+            HostTable& host;
+            const Named& of;
+            const char* function;
+            const Running running{of, function};
+            ~Reported() { host.report_failure(of, function); }
+        };
+        const Reported reported{*this, of, function};
+        return body();
+    }
+
+    /// Gives this reason to `fail` if the module gave none.
+    void fail_unless_failed(const char* why) {
+        if (reason_.empty()) reason_ = why;
+    }
 
     /// Whether the module has called a function of the table that has not returned: then code of
     /// the module is running.
@@ -73,6 +99,8 @@ class HostTable {
 
   private:
     friend struct HostFunctions;
+    void report_failure(const Named& of, const char* function) noexcept;
+
     fettle_host table_{};
     std::string error_, reason_;
     fettle_status error_status_ = FETTLE_OK;  // of `error_`; reset when the callback has returned

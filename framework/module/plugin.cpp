@@ -52,7 +52,10 @@ void Plugin::State::prepare(property::Tree& tree) {
 }
 
 void Plugin::State::attach_native() {
-    host.require(open.native.attach(open.native.context), "attach");
+    {
+        const Running running(host.named, "attach");
+        host.require(open.native.attach(open.native.context), "attach");
+    }
     host.define_class = nullptr;
     if (saves()) return;
     for (const auto& c : classes)
@@ -63,21 +66,42 @@ void Plugin::State::attach_native() {
 }
 
 void Plugin::State::check_native() {
-    if (open.native.check != nullptr)
-        host.require(open.native.check(open.native.context), "its own test");
+    if (open.native.check == nullptr) return;
+    const Running running(host.named, "check");
+    host.require(open.native.check(open.native.context), "its own test");
 }
 
 void Plugin::State::step_once() {
     constexpr double dt = 1.0 / 60;
-    if (open.native.step != nullptr) open.native.step(open.native.context, dt);
-    if (open.native.report != nullptr) open.native.report(open.native.context);
-    if (open.native.hash != nullptr) (void)open.native.hash(open.native.context);
+    step(dt);
+    report();
+    (void)hash();
+}
+
+void Plugin::State::step(double dt) {
+    const fettle_module& native = open.native;
+    if (native.step != nullptr)
+        host.run(host.named, "step", [&] { native.step(native.context, dt); });
+}
+
+void Plugin::State::report() {
+    const fettle_module& native = open.native;
+    if (native.report != nullptr)
+        host.run(host.named, "report", [&] { native.report(native.context); });
+}
+
+std::uint64_t Plugin::State::hash() {
+    const fettle_module& native = open.native;
+    if (native.hash == nullptr) return 0;
+    return host.run(host.named, "hash", [&] { return native.hash(native.context); });
 }
 
 void Plugin::State::close_native() {
     // Exceptions of `close` are reported only: nothing can handle them any more.
     try {
-        if (open.native.close != nullptr) open.native.close(open.native.context);
+        const fettle_module& native = open.native;
+        if (native.close != nullptr)
+            host.run(host.named, "close", [&] { native.close(native.context); });
     } catch (...) {
         if (host.print)
             host.print("module " + name + ": its `close` threw: " + property::exception_text());
@@ -139,6 +163,7 @@ std::unique_ptr<Plugin> Plugin::open(const fs::path& file) {
     state->identity = identity(file);
     state->name = text_or_empty(state->open.native.name);
     state->version = text_or_empty(state->open.native.version);
+    state->host.named.module = state->name.c_str();
     state->host.print = [](std::string_view line) {
         std::fwrite(line.data(), 1, line.size(), stdout);
         std::fputc('\n', stdout);
@@ -166,6 +191,10 @@ std::string_view Plugin::name() const {
 }
 void Plugin::on_print(std::function<void(std::string_view)> sink) {
     state_->host.print = std::move(sink);
+}
+
+void Plugin::on_error(std::function<void(const std::string&)> sink) {
+    state_->host.failed = std::move(sink);
 }
 
 void Plugin::attach(property::Tree& tree) {
@@ -196,18 +225,15 @@ void Plugin::attach(property::Tree& tree) {
 }
 
 void Plugin::step(double dt) {
-    if (state_->open.native.step != nullptr)
-        state_->open.native.step(state_->open.native.context, dt);
+    state_->step(dt);
 }
 
 void Plugin::report(property::Tree&) {
-    State& s = *state_;
-    if (s.open.native.report != nullptr) s.open.native.report(s.open.native.context);
+    state_->report();
 }
 
 std::uint64_t Plugin::hash() const {
-    const fettle_module& native = state_->open.native;
-    return native.hash == nullptr ? 0 : native.hash(native.context);
+    return state_->hash();
 }
 
 property::Memory Plugin::save(property::ByteWriter& to) const {
@@ -217,6 +243,7 @@ property::Memory Plugin::save(property::ByteWriter& to) const {
         static_cast<property::ByteWriter*>(sink)->raw(data, size);
     };
     try {
+        const Running running(s.host.named, "save");
         s.host.require(s.open.native.save(s.open.native.context, &to, write), "save");
     } catch (const std::exception& problem) {
         throw property::Error(property::ErrorKind::rejected,
@@ -231,21 +258,26 @@ std::function<void()> Plugin::restore(property::ByteReader& from, const property
     const auto bytes =
         std::make_shared<std::vector<std::byte>>(from.rest().begin(), from.rest().end());
     const auto call = [&s, bytes](std::uint32_t commit) {
+        const Running running(s.host.named, "restore");
         return s.open.native.restore(s.open.native.context, bytes->data(), bytes->size(), commit);
     };
-    if (call(0) != FETTLE_OK) from.fail(s.host.take_reason());
+    const fettle_status checked = call(0);
+    const std::string reason = s.host.take_reason();
+    if (checked != FETTLE_OK) from.fail(reason);
     from = property::ByteReader({});
     return [&s, call] {
-        if (call(1) != FETTLE_OK && s.host.print)
-            s.host.print("module " + s.name +
-                         ": its `restore` did not finish: " + s.host.take_reason());
+        s.host.run(s.host.named, "restore", [&] {
+            if (call(1) != FETTLE_OK) s.host.fail_unless_failed("it did not finish");
+        });
         for (const auto& c : s.classes) c->recount();
     };
 }
 
 void Plugin::refresh(std::uint64_t what) {
-    const fettle_module& native = state_->open.native;
-    if (native.refresh != nullptr) native.refresh(native.context, what);
+    State& s = *state_;
+    const fettle_module& native = s.open.native;
+    if (native.refresh != nullptr)
+        s.host.run(s.host.named, "refresh", [&] { native.refresh(native.context, what); });
 }
 
 // --- Plugins

@@ -40,6 +40,9 @@ struct Plugin::State {
     void check_native();
     /// Makes one step as the game does, to test that it returns.
     void step_once();
+    void step(double dt);
+    void report();
+    std::uint64_t hash();
     void close_native();
     /// Ends a module that a failure left half attached. Its instances stay, with the defaults as
     /// values. A later reload may bring the module back.

@@ -202,6 +202,8 @@ Reloaded reload(Plugin::State& state, const std::filesystem::path& copy,
 Reloaded Plugin::reload() {
     State& s = *state_;
     if (s.host.tree == nullptr) throw std::logic_error(s.name + " is attached to no tree");
+    if (s.tree_life.expired())
+        throw std::logic_error(s.name + " cannot be reloaded: its tree has ended");
     if (s.host.called())
         throw std::logic_error(s.name + " cannot be reloaded while one of its functions runs");
     const ModuleCopy copy(s.file);

@@ -233,7 +233,7 @@ const std::vector<DividedPart>& divided_parts() {
              {"game", {"files"}},
              {"session", {"command_line", "files", "attach", "game"}},
              {"testing", {"command_line", "files", "game", "session"}},
-             {"packing", {"files"}},
+             {"packing", {"files", "game", "session"}},
              {"commands",
               {"command_line", "files", "attach", "game", "session", "testing", "packing"}},
          }},

@@ -127,7 +127,7 @@ TEST_CASE("an endless call outside of scripts is ended after some seconds with a
     const RunningProgram::End end = program.end();
     CHECK(end.signal == 0);
     CHECK(end.status == 143);
-    CHECK(contains(end.err, "fettle: the run did not end in time: it ends at once\n"));
+    CHECK(contains(end.err, "the run did not end in time: it ends at once\n"));
 }
 
 TEST_CASE("a signal that the program inherited as ignored stays ignored") {

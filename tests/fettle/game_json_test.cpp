@@ -82,7 +82,7 @@ TEST_CASE("a mistake in game.json ends the program with its place") {
                    "game.json:1:11: title: belongs into \"window\": { }"));
     const Outcome icon = run_with(folder, R"({"icon": "hreo.png"})", "print(1)");
     CHECK(icon.status == 3);
-    CHECK(contains(icon.err, "game.json: icon: there is no file \"hreo.png\""));
+    CHECK(contains(icon.err, "game.json:1:10: icon: there is no file \"hreo.png\""));
 }
 
 TEST_CASE("a game without a console refuses commands for it") {

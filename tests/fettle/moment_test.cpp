@@ -112,7 +112,7 @@ TEST_CASE("edits in a shared moment are not kept") {
     CHECK_FALSE(contains(opened.out, "kept"));
     const Outcome where = fettle(folder, {"where", file.string()});
     INFO(where.out << where.err);
-    CHECK(contains(where.out, "tweaks       none: a game in one file keeps no tweaks"));
+    CHECK(contains(where.out, "tweaks       none: a game in an archive (.fettle) keeps no tweaks"));
 }
 
 TEST_CASE("a damaged moment is refused with its file and the reason") {

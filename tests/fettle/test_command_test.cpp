@@ -327,6 +327,18 @@ TEST_CASE("a game or a file that cannot be loaded is one failure") {
     CHECK(fettle(folder, {"test", (folder / "none").string()}).status == 3);
 }
 
+TEST_CASE("files without tests and in folders of tests are named") {
+    const Folder folder;
+    folder.write("tests/empty.lua", "");
+    folder.write("tests/more/deep.lua", "test('x', function() end)");
+    const Outcome run = run_tests(folder, "test('a', function(t) end)");
+    INFO(run.out);
+    CHECK(run.status == 0);
+    CHECK(contains(run.out, "note  tests/empty.lua: it has no test\n"));
+    CHECK(contains(run.out, "note  tests/more: only the files in tests itself are run"));
+    CHECK(contains(run.out, "1 test, 0 failed"));
+}
+
 TEST_CASE("a game without tests is an error that says where they are") {
     const Folder folder;
     folder.write("main.lua", "");

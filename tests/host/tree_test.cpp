@@ -83,6 +83,13 @@ TEST_CASE("errors name the path and the value and the nearest name") {
     CHECK_THAT(fettle_last_error(), contains("world.ball.mass: expected a number of at least"));
     CHECK(fettle_hosted_get(game.get(), "world.bal.mass", &value) == FETTLE_INVALID);
     CHECK_THAT(fettle_last_error(), contains("did you mean \"ball\"?"));
+    fettle_instance instance = 0;
+    CHECK(fettle_hosted_find(game.get(), "wrld.ball", &instance) == FETTLE_INVALID);
+    CHECK_THAT(fettle_last_error(),
+               contains("wrld.ball: game has no child \"wrld\" (did you mean \"world\"?)"));
+    CHECK(fettle_hosted_find(game.get(), "world.ball.mass", &instance) == FETTLE_INVALID);
+    CHECK_THAT(fettle_last_error(),
+               contains("world.ball.mass: expected an instance, got a property"));
     const auto mass = property(game, "world.ball.mass");
     CHECK(fettle_property_set_number(game.get(), mass, std::nan("")) == FETTLE_INVALID);
     bool truth = false;

@@ -291,7 +291,7 @@ TEST_CASE("a damaged map is an error with file and place") {
           "m.tmj: expected a map, got a tileset");
     CHECK(reason("<tileset tilewidth=\"8\" tileheight=\"8\"/>") ==
           "m.tmj: expected a map, got a tileset");
-    CHECK_THAT(reason("{\n\"width\":\n]"), contains("m.tmj: line 3: "));
+    CHECK_THAT(reason("{\n\"width\":\n]"), contains("m.tmj: line 3, column 1: "));
     CHECK_THAT(reason("<map>\n<layer>\n</map>"), contains("m.tmj: line "));
     CHECK(reason("<html/>") == "m.tmj: expected a map, a tileset or a template, got <html>");
     CHECK(reason(map_of(R"("data":[1,2,3])")) == "m.tmj: layer \"g\": expected 4 cells, got 3");
@@ -446,6 +446,25 @@ TEST_CASE("random damage to a map never does more than raise an error") {
         }
     }
     CHECK(errors > 300);
+}
+
+TEST_CASE("an error of a file that a map names says where it is named") {
+    const std::string file = GENERATE("ground.tsj", "coin.tx");
+    const std::string part = file == "coin.tx"
+                                 ? R"("layers": [{"type": "objectgroup", "name": "o",
+        "objects": [{"id": 1, "template": "coin.tx"}]}])"
+                                 : R"("tilesets": [{"firstgid": 1, "source": "ground.tsj"}])";
+    const auto missing = [](const std::string& name) -> std::string {
+        throw fettle::property::Error(fettle::property::ErrorKind::unknown_name,
+                                      "there is no file " + name);
+    };
+    CHECK_THROWS_WITH(read_map("maps/cave.tmj",
+                               [&](const std::string& name) {
+                                   return name == "maps/cave.tmj"
+                                              ? R"({"tilewidth": 8, "tileheight": 8, )" + part + "}"
+                                              : missing(name);
+                               }),
+                      "there is no file maps/" + file + " (named in maps/cave.tmj)");
 }
 
 }  // namespace map_test

@@ -152,4 +152,14 @@ TEST_CASE("physics is reloaded with all worlds and bodies and goes on from there
 }
 #endif
 
+TEST_CASE("a module whose tree has ended is not reloaded") {
+    module::Plugins plugins;
+    module::Plugin& weather = plugins.open(built("weather"));
+    {
+        property::Tree tree;
+        weather.attach(tree);
+    }
+    CHECK_THROWS_WITH(weather.reload(), contains("weather cannot be reloaded: its tree has ended"));
+}
+
 }  // namespace reload_test

@@ -76,8 +76,26 @@ TEST_CASE("exceptions of a module in C++ are reported with their callback") {
           "module thrower cannot be saved: " + expected("save"));
     const property::Snapshot kept = tree.snapshot();
     CHECK(game.outcome("finish", [&] { tree.restore(kept); }) ==
-          "module thrower: its `restore` did not finish: " + expected("finish"));
+          "thrower: restore: " + expected("finish"));
     CHECK(tree.get(game.one, "weight") == Value(1.0));
+}
+
+TEST_CASE("errors of functions of a module without a status have a receiver") {
+    Game game;
+    std::vector<std::string> errors;
+    game.thrower.on_error([&](const std::string& message) { errors.push_back(message); });
+    CHECK(game.outcome("step", [&] { game.thrower.step(0.1); }).empty());
+    CHECK(game.outcome("destroy",
+                       [&] {
+                           game.tree.destroy(game.one);
+                           game.tree.barrier();
+                           game.one = game.tree.create(game.tree.class_named("Fragile"),
+                                                       game.tree.root(), "two");
+                       })
+              .empty());
+    game.thrower.step(0.1);
+    CHECK(errors ==
+          std::vector<std::string>{"step: no step today", "destroy of Fragile: no destroy today"});
 }
 
 TEST_CASE("the elements of lists in a list may be anything") {

@@ -56,4 +56,11 @@ TEST_CASE("a search that ignores case finds letters of either case and other byt
     CHECK_FALSE(contains_ignoring_case("", "a"));
 }
 
+TEST_CASE("x and y are not taken for the last word of a name") {
+    const std::vector<std::string> names = {"locked_x", "locked_y", "body_a"};
+    CHECK(fettle::property::suggestion("x", names).empty());
+    CHECK(fettle::property::suggestion("y", names).empty());
+    CHECK(fettle::property::suggestion("a", names) == " (did you mean \"body_a\"?)");
+}
+
 }  // namespace spelling_test

@@ -406,4 +406,9 @@ TEST_CASE("hexadecimal colors are printed as they were read") {
     }
 }
 
+TEST_CASE_METHOD(CellFixture, "an error of a vector with NaN shows both of its components") {
+    CHECK_THAT(message_of([&] { tree.set(cell, "vec2d", Value(Vec2(nan, 1))); }),
+               Catch::Matchers::EndsWith("got vec(nan, 1)"));
+}
+
 }  // namespace values_test

@@ -454,4 +454,14 @@ TEST_CASE("callbacks get their arguments and quit ends the game") {
     CHECK_THAT(s.fails("tween()"), contains("tween: needs an instance"));
 }
 
+TEST_CASE("a class in C++ with a member that would hide a method of every instance is refused") {
+    fettle::property::Tree tree;
+    fettle::property::ClassDescriptor odd;
+    odd.name = "Odd";
+    odd.properties = {{.name = "children", .type = fettle::property::Type::integer}};
+    (void)tree.define(odd);
+    CHECK_THROWS_WITH(fettle::script::Runtime(tree, {}),
+                      Catch::Matchers::Contains("Odd.children: is a method of every instance"));
+}
+
 }  // namespace class_test

@@ -294,4 +294,27 @@ TEST_CASE("an unknown key in a file of kept tweaks is reported with the nearest 
     CHECK(has(run.reported[0], "no key \"valeus\" (did you mean \"values\"?)"));
 }
 
+TEST_CASE("a part of a value in the kept tweaks is named and so is a version of another type") {
+    const GameFolder folder;
+    folder.write("main.tweaks.json",
+                 "{\n\"fettle_tweaks\": 1, \"values\": {\n\"world.t.position.x\": 7}}");
+    {
+        Run run(folder);
+        run.add("Thing", "t");
+        run.barrier();
+        run.tweaks->game_loaded();
+        REQUIRE(run.reported.size() == 1);
+        CHECK(has(run.reported[0],
+                  "world.t.position is a property: write its whole value, as in "
+                  "\"world.t.position\": "));
+    }
+    folder.write("main.tweaks.json", "{\n\"fettle_tweaks\": \"1\"}");
+    Run run(folder);
+    REQUIRE(run.reported.size() == 1);
+    CHECK(
+        has(run.reported[0],
+            "main.tweaks.json:2:18: no file of tweaks: \"fettle_tweaks\": expected the version of "
+            "the format, which is a whole number, found a text"));
+}
+
 }  // namespace forged_tweaks_test

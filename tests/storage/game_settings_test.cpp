@@ -133,4 +133,14 @@ TEST_CASE("writing the settings of a player keeps settings that this version doe
     CHECK_FALSE(read_player_settings(folder.path() / "player").fullscreen);
 }
 
+TEST_CASE("an icon is an image and its place is known") {
+    CHECK(settings("{\n\"icon\": \"icon.png\"}").icon_at == "game.json:2:9");
+    CHECK(problem(R"({"icon": "main.lua"})") ==
+          "game.json:1:10: icon: expected an image (.png, .jpg, .jpeg, .bmp or .tga), found a text "
+          "(\"main.lua\")");
+    CHECK(problem(R"({"window": {"size": [1]}})") ==
+          "game.json:1:21: window.size: expected width and height from 1 to 16384 pixels, as in "
+          "[1280, 800], found an array of 1");
+}
+
 }  // namespace game_settings_test

@@ -259,4 +259,20 @@ TEST_CASE("a value that cannot be saved is reported with the reason") {
     CHECK(refusal(top).find("at most 400 instances") != std::string::npos);
 }
 
+TEST_CASE("a list of children in a section and colors beyond their range and nan are errors") {
+    SceneWorld w;
+    const auto [members, message] = GENERATE(table<std::string, std::string>({
+        {R"("properties": {"children": []})", "\"children\" stands inside \"properties\""},
+        {R"("ad_hoc": {"children": []})", "\"children\" stands inside \"ad_hoc\""},
+        {R"("ad_hoc": {"tint": {"color": [2, 0, 0, 1]}})",
+         "a color's channels are from 0 to 1, and 2 is not"},
+        {R"("ad_hoc": {"tint": {"color": [0, -0.5, 0]}})",
+         "a color's channels are from 0 to 1, and -0.5 is not"},
+    }));
+    CHECK_THROWS_WITH(w.load(scene(members)), Catch::Matchers::Contains(message));
+    CHECK_THROWS_WITH(
+        w.load(R"({"fettle_scene": 1, "class": "Thing", "properties": {"number": "nan"}})"),
+        Catch::Matchers::EndsWith("got text \"nan\""));
+}
+
 }  // namespace load_test

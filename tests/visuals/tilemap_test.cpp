@@ -427,4 +427,22 @@ TEST_CASE_METHOD(Land, "animated tiles move on with the steps") {
 
 // --- Objects
 
+TEST_CASE_METHOD(Land, "a name of a layer or an object that cannot be one is reported") {
+    write("names.tmj", level(floor_cells, R"(, {"type": "objectgroup", "id": 9, "name": "corner",
+        "objects": [{"id": 1, "name": "delete", "x": 0, "y": 0, "point": true},
+                    {"id": 2, "name": "coin", "x": 0, "y": 0, "point": true},
+                    {"id": 3, "name": "coin", "x": 0, "y": 0, "point": true},
+                    {"id": 4, "name": ")" + std::string(2000, 'n') +
+                                              R"(", "x": 0, "y": 0, "point": true}]})"));
+    const Handle top = map("names.tmj");
+    const Handle things = find(top, "corner_2");
+    CHECK(tree.child(things, "coin_2"));
+    REQUIRE(problems.size() == 2);
+    CHECK_THAT(problems[0],
+               contains("layer \"corner\": ") &&
+                   contains("a child cannot be called \"corner\", which is a property of "
+                            "Tilemap; it is called \"corner_2\""));
+    CHECK_THAT(problems[1], contains("has 2000 bytes") && contains("; it is called \"object"));
+}
+
 }  // namespace tilemap_test

@@ -35,13 +35,13 @@ fettle_status reset(void* context, fettle_row row) {
 std::uint32_t overridden(void* context, fettle_row row) {
     auto& p = *static_cast<GuestProperty*>(context);
     bool is = false;
-    p.tree->run("overridden", p.name, [&] { is = p.binding.overridden(p.binding.context, row); });
+    p.tree->run([&] { is = p.binding.overridden(p.binding.context, row); });
     return is ? 1 : 0;
 }
 
 void invalidate(void* context, fettle_row row) {
     auto& p = *static_cast<GuestProperty*>(context);
-    p.tree->run("invalidate", p.name, [&] { p.binding.invalidate(p.binding.context, row); });
+    p.tree->run([&] { p.binding.invalidate(p.binding.context, row); });
 }
 
 void* base(void* context) {
@@ -78,16 +78,15 @@ fettle_status place(void* context, fettle_handle self, fettle_row* row) {
 
 void destroy(void* context, fettle_handle self, fettle_row row) {
     auto& c = *static_cast<GuestClass*>(context);
-    c.tree->run("destroy", c.name, [&] {
-        c.lifecycle.destroy(c.lifecycle.context, *c.tree->self, received(self), row);
-    });
+    c.tree->run(
+        [&] { c.lifecycle.destroy(c.lifecycle.context, *c.tree->self, received(self), row); });
 }
 
 template <auto Draw>
 void draw(void* context, fettle_handle self, fettle_row row, const fettle_painter* table,
           double alpha) {
     auto& c = *static_cast<GuestClass*>(context);
-    c.tree->run("draw", c.name, [&] {
+    c.tree->run([&] {
         GuestPainter painter(*table);
         (c.lifecycle.*Draw)(c.lifecycle.context, *c.tree->self, received(self), row, painter,
                             alpha);
@@ -96,7 +95,7 @@ void draw(void* context, fettle_handle self, fettle_row row, const fettle_painte
 
 void pose(void* context, fettle_handle self, fettle_row row, double alpha, double* matrix) {
     auto& c = *static_cast<GuestClass*>(context);
-    c.tree->run("pose", c.name, [&] {
+    c.tree->run([&] {
         const property::Transform at =
             c.lifecycle.pose(c.lifecycle.context, *c.tree->self, received(self), row, alpha);
         const double values[] = {at.x.x, at.x.y, at.y.x, at.y.y, at.origin.x, at.origin.y};
@@ -144,8 +143,7 @@ struct Texts {
     }
 };
 
-fettle_property described(Tree::State& tree, const std::string& of, const Property& p,
-                          Texts& texts) {
+fettle_property described(Tree::State& tree, const Property& p, Texts& texts) {
     fettle_property c{};
     c.name = p.name.c_str();
     c.type = static_cast<std::uint32_t>(p.type);
@@ -164,7 +162,6 @@ fettle_property described(Tree::State& tree, const std::string& of, const Proper
     GuestProperty& kept = tree.properties.emplace_back();
     kept.tree = &tree;
     kept.binding = binding;
-    kept.name = of + "." + p.name;
     c.context = &kept;
     if (binding.kind == BindingKind::column) {
         c.binding = FETTLE_COLUMN;
@@ -213,8 +210,7 @@ void export_class(Tree::State& tree, const property::ClassDescriptor& descriptor
     std::vector<fettle_property> properties;
     std::vector<fettle_method> methods;
     std::vector<fettle_event> events;
-    for (const Property& p : descriptor.properties)
-        properties.push_back(described(tree, descriptor.name, p, texts));
+    for (const Property& p : descriptor.properties) properties.push_back(described(tree, p, texts));
     for (const property::Method& m : descriptor.methods)
         methods.push_back(described(tree, m, texts));
     for (const property::Event& e : descriptor.events) {
@@ -228,7 +224,6 @@ void export_class(Tree::State& tree, const property::ClassDescriptor& descriptor
     GuestClass& kept = tree.lifecycles.emplace_back();
     kept.tree = &tree;
     kept.lifecycle = descriptor.lifecycle;
-    kept.name = descriptor.name;
 
     fettle_class c{};
     c.struct_size = sizeof c;

@@ -29,10 +29,10 @@ fettle_status attach(void* context) {
     return guest.tree.state().answer([&] { guest.module->attach(guest.tree); });
 }
 
-/// Runs `body` and prints an exception, for callbacks that return no status.
+/// Runs `body` and reports an exception, for callbacks that return no status.
 template <class Body>
-void run(Guest& guest, const char* callback, Body&& body) noexcept {
-    guest.tree.state().run(callback, "", [&] {
+void run(Guest& guest, Body&& body) noexcept {
+    guest.tree.state().run([&] {
         guest.tree.state().follow_listeners();
         body();
     });
@@ -40,18 +40,18 @@ void run(Guest& guest, const char* callback, Body&& body) noexcept {
 
 void step(void* context, double dt) {
     Guest& guest = guest_of(context);
-    run(guest, "step", [&] { guest.module->step(dt); });
+    run(guest, [&] { guest.module->step(dt); });
 }
 
 void report(void* context) {
     Guest& guest = guest_of(context);
-    run(guest, "report", [&] { guest.module->report(guest.tree); });
+    run(guest, [&] { guest.module->report(guest.tree); });
 }
 
 std::uint64_t hash(void* context) {
     Guest& guest = guest_of(context);
     std::uint64_t value = 0;
-    run(guest, "hash", [&] { value = guest.module->hash(); });
+    run(guest, [&] { value = guest.module->hash(); });
     return value;
 }
 
@@ -84,7 +84,7 @@ fettle_status restore(void* context, const void* data, size_t size, std::uint32_
 
 void refresh(void* context, std::uint64_t what) {
     Guest& guest = guest_of(context);
-    run(guest, "refresh", [&] {
+    run(guest, [&] {
         if (property::SnapshotPart* part = guest.tree.state().part) part->refresh(what);
     });
 }

@@ -25,7 +25,6 @@ const fettle_host* program();
 struct GuestProperty {
     property::Tree::State* tree = nullptr;
     property::Binding binding;
-    std::string name;  // with its class
 };
 
 struct GuestMethod {
@@ -36,7 +35,6 @@ struct GuestMethod {
 struct GuestClass {
     property::Tree::State* tree = nullptr;
     property::Lifecycle lifecycle;
-    std::string name;
 };
 
 struct GuestEvent {
@@ -70,10 +68,10 @@ struct Tree::State {
     /// Runs a callback of the module and reports an exception to the program.
     template <class Body>
     fettle_status answer(Body&& body) noexcept;
-    /// The same for a callback that returns no status: prints the exception. `of`: what the
-    /// callback belongs to; "" for the module.
+    /// The same for a callback that returns no status: the program takes the reason that was given
+    /// to `fail` as an error of the module.
     template <class Body>
-    void run(const char* callback, const std::string& of, Body&& body) noexcept;
+    void run(Body&& body) noexcept;
     /// The class of that name; null if there is none. A class of the program is registered here
     /// first, with its bases.
     const Class* known(const char* name);
@@ -101,18 +99,8 @@ fettle_status Tree::State::answer(Body&& body) noexcept {
 }
 
 template <class Body>
-void Tree::State::run(const char* callback, const std::string& of, Body&& body) noexcept {
-    const auto print = [&](const char* reason) {
-        const std::string where = of.empty() ? callback : callback + (" of " + of);
-        host->print(host->self, (module + ": " + where + ": " + reason).c_str());
-    };
-    try {
-        body();
-    } catch (const std::exception& error) {
-        print(error.what());
-    } catch (...) {
-        print("an exception of no known type");
-    }
+void Tree::State::run(Body&& body) noexcept {
+    (void)answer(std::forward<Body>(body));
 }
 
 }  // namespace fettle::property

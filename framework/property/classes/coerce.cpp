@@ -176,7 +176,8 @@ class Coercion {
     // holds, then checked against the range. The bounds are rounded as well, so the number in the
     // declaration or in an error message is accepted as a bound.
     double component(double x, const Value& whole) const {
-        if (std::isnan(x)) fail(ErrorKind::not_finite, "expected " + expected() + ", got nan");
+        if (std::isnan(x))
+            fail(ErrorKind::not_finite, "expected " + expected() + ", got " + shown(whole));
         if (std::isinf(x) && !property_.infinity)
             fail(ErrorKind::not_finite, "expected " + expected() + ", got " + shown(whole) +
                                             ": infinity is not allowed here");

@@ -125,6 +125,11 @@ class DescriptorCheck {
                          Type::list);
             check_number(member, ("the element type of the " + std::string(what)).c_str(),
                          field.element, Type::list);
+            if (!(field.range.min <= field.range.max))
+                refuse(ErrorKind::out_of_range, member,
+                       std::string("the range of the ") + what + " " + in_quotes(field.name) +
+                           " begins at " + number_text(field.range.min) + " and ends at " +
+                           number_text(field.range.max));
             if (!seen.insert(field.name).second)
                 refuse(
                     ErrorKind::bad_name, member,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace fettle::property {
 
@@ -20,7 +21,7 @@ bool is_number_text(const std::string& text) {
     double number = 0;
     const char* const end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, number);
-    return read.ec == std::errc() && read.ptr == end;
+    return read.ec == std::errc() && read.ptr == end && std::isfinite(number);
 }
 
 std::string way_to_write_vec(const Value& value) {

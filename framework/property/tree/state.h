@@ -34,6 +34,9 @@ struct SnapshotState {
     std::vector<std::string> remarks;      // losses of the last restore
 };
 
+/// Throws Error(bad_name) if a member of the class has a reserved name (reserved_names.h).
+void require_free_names(const std::vector<Symbol>& reserved, const ClassDescriptor& descriptor);
+
 struct Tree::State {
     explicit State(Tree& owner) : tree(owner) {}
 

@@ -132,6 +132,7 @@ Pinned::~Pinned() {
 
 const Class& Tree::define(ClassDescriptor descriptor) {
     require_changeable("define a class");
+    require_free_names(state_->instances.reserved_names, descriptor);
     Class& made = state_->instances.classes.define(std::move(descriptor));
     add_weight(ClassRegistry::weight_of(made));
     state_->instances.stored.push_back(

@@ -18,8 +18,9 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
 }
 
 /// "frict" begins "friction"; "bounce" is the last word of "out_bounce", and "a" that of "body_a".
+/// "x" and "y" are more often meant as parts of a vector than as that of "locked_x".
 bool is_part(std::string_view name, std::string_view longer) {
-    if (name.empty() || longer.size() <= name.size()) return false;
+    if (name.empty() || name == "x" || name == "y" || longer.size() <= name.size()) return false;
     const std::size_t more = longer.size() - name.size();
     return (name.size() >= 3 && same_but_for_case(name, longer.substr(0, name.size()))) ||
            (longer[more - 1] == '_' && same_but_for_case(name, longer.substr(more)));

@@ -104,7 +104,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "Writes the tweaks that match into files which the next run reads: tweaks of an "
          "instance of a scene file into that file, tweaks of an instance that a script made into "
          "`main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` beside a game that is one "
-         "file). keep(\"world.ball.*\")."},
+         "file `NAME.lua`). keep(\"world.ball.*\")."},
         {"last_time", "last_time(condition: string|fun(): any)",
          "Searches the kept past for the last step at which the condition was true, and goes "
          "there. If it is true now, it goes to the step at which it became true."},

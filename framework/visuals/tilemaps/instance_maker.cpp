@@ -14,17 +14,23 @@ using property::Value;
 Handle Maker::add(const property::Class& of, Handle parent, const std::string& name) {
     if (name.empty()) return tree_.create(of, parent);
     int& number = numbers_[{parent.index, name}];
+    std::string refusal;
+    const auto made_instead = [&](Handle made) {
+        if (!refusal.empty()) report(refusal + "; it is called \"" + tree_.name(made) + "\"");
+        return made;
+    };
     for (int tries = 0; tries < 1000; ++tries) {
         ++number;
         const std::string numbered = number == 1 ? name : name + "_" + std::to_string(number);
         if (tree_.child(parent, numbered)) continue;
         try {
-            return tree_.create(of, parent, numbered);
+            return made_instead(tree_.create(of, parent, numbered));
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::bad_name) throw;
+            if (refusal.empty()) refusal = error.what();
         }
     }
-    return tree_.create(of, parent);
+    return made_instead(tree_.create(of, parent));
 }
 
 void Maker::set(Handle instance, const char* name, const Value& value) {

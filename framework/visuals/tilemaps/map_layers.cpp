@@ -69,9 +69,9 @@ class LayerMaker {
                 continue;
             }
             const char* const of = layer.kind == maps::LayerKind::tiles ? "TileLayer" : "Layer";
+            make_.begin_messages("layer \"" + layer.name + "\"");
             const Handle made = make_.add(tree_.class_named(of), map_, layer.name);
             made_.emplace_back(made);
-            make_.begin_messages("layer \"" + layer.name + "\"");
             make_.set(made, "parallax", Value(now.parallax));
             make_.set(made, "opacity", Value(now.opacity));
             make_.set(made, "visible", Value(now.visible));

@@ -1,5 +1,6 @@
-// A module in C++ whose callbacks throw: the one that the property `fails` names. "exit": the
-// process is ended in the next step.
+// A module in C++ whose callbacks throw: the one that the property `fails` names. "exit", "crash",
+// "recurse", "hang": the next step ends the process, writes to memory that is not there, calls
+// itself without end, or never ends.
 
 #include <cstdlib>
 #include <memory>
@@ -67,6 +68,9 @@ class Thrower : public module::Module {
     }
     void step(double) override {
         if (fails_ == "exit") std::exit(0);
+        if (fails_ == "crash") *nowhere = 1;
+        if (fails_ == "recurse") (void)depth(1);
+        while (fails_ == "hang") *nowhere_else = 1;
         fail("step");
     }
     void report(Tree&) override { fail("report"); }
@@ -89,6 +93,16 @@ class Thrower : public module::Module {
         if (of_no_class_) throw 42;
         throw std::runtime_error("no " + callback + " today");
     }
+
+    static int depth(int level) {
+        volatile char room[4096];
+        room[0] = static_cast<char>(level);
+        return level == 0 ? 0 : depth(level + 1) + room[0];
+    }
+
+    static inline volatile int* volatile nowhere = nullptr;
+    static inline volatile int somewhere = 0;
+    static inline volatile int* volatile nowhere_else = &somewhere;
 
     std::string fails_;
     bool of_no_class_ = false;

@@ -10,7 +10,9 @@
  *   Later versions add fields only at the end. A reader takes each field beyond the size as zero,
  *   and zero always means the default.
  * - Functions return a fettle_status. If a host function refuses, `last_error` has the reason. If a
- *   function of the module refuses, it first gives the reason to `fail`.
+ *   function of the module refuses, it first gives the reason to `fail`. A function of the module
+ *   that returns no status (`step`, `draw`) has failed if it has given a reason to `fail` (since
+ *   1.7): the host reports an error of the game.
  * - Texts are UTF-8 and end with a zero unless a length is given. Pointers are valid until the next
  *   call in the same direction; copy the data to keep it. Descriptors given to `define_class` are
  *   copied; the functions and contexts in them are used until `close`.
@@ -28,7 +30,7 @@ extern "C" {
 
 /* A module runs in programs of the same major number and of the same or a later minor one. */
 #define FETTLE_ABI_MAJOR 1
-#define FETTLE_ABI_MINOR 6
+#define FETTLE_ABI_MINOR 7
 #define FETTLE_ABI ((uint32_t)FETTLE_ABI_MAJOR << 16 | FETTLE_ABI_MINOR)
 
 typedef enum fettle_status {

@@ -56,6 +56,9 @@ class Plugin : public Module {
     const std::string& version() const;
     /// Sets the receiver of the module's output; without it, the output goes to stdout.
     void on_print(std::function<void(std::string_view)> sink);
+    /// Sets the receiver of errors of functions of the module that return no status, such as
+    /// "step: no wind"; without it, they are printed, after the name of the module.
+    void on_error(std::function<void(const std::string&)> sink);
 
     std::string_view name() const override;
     /// Throws LoadError if a class or an instance of a name already exists, if the module refuses,
@@ -68,11 +71,12 @@ class Plugin : public Module {
     property::Memory save(property::ByteWriter& to) const override;
     std::function<void()> restore(property::ByteReader& from, const property::Memory&) override;
 
-    /// Loads the current file, between two frames and not from within a handler: saves the values
+    /// Loads the current file, best between two frames: saves the values
     /// of the module's instances by name, ends the old module, opens the new one, and sets the
     /// values again on the same handles, with the same children, watchers and formulas. Values are
     /// saved by name, never as bytes, so the new module may have another memory layout. If the test
-    /// of the new module fails, throws LoadError and keeps the old module.
+    /// of the new module fails, throws LoadError and keeps the old module. Throws std::logic_error
+    /// while a function of the module runs, and if it is attached to no tree or its tree has ended.
     Reloaded reload();
 
     struct FETTLE_MODULE_PRIVATE State;

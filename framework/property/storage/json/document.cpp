@@ -252,12 +252,18 @@ std::size_t Document::line(std::size_t offset) const {
     return static_cast<std::size_t>(after - line_starts_.begin());
 }
 
-void Document::fail(ErrorKind kind, std::size_t offset, const std::string& reason) const {
-    const std::size_t number = line(offset);
-    const std::size_t start = line_starts_[number - 1];
+std::size_t Document::column(std::size_t offset) const {
+    const std::size_t start = line_starts_[line(offset) - 1];
     const std::size_t end = std::min(offset, source_.size());
-    const std::string_view before = std::string_view(source_).substr(start, end - start);
-    throw SceneError(kind, file_name_, number, code_point_count(before) + 1, reason);
+    return code_point_count(std::string_view(source_).substr(start, end - start)) + 1;
+}
+
+std::string Document::place(std::size_t offset) const {
+    return file_name_ + ":" + std::to_string(line(offset)) + ":" + std::to_string(column(offset));
+}
+
+void Document::fail(ErrorKind kind, std::size_t offset, const std::string& reason) const {
+    throw SceneError(kind, file_name_, line(offset), column(offset), reason);
 }
 
 std::string_view kind_words(Document::Kind kind) {

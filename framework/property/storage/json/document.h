@@ -63,10 +63,13 @@ class Document {
     const std::string& file_name() const { return file_name_; }
     /// Counts from 1.
     std::size_t line(std::size_t offset) const;
+    /// "game.json:2:11": file, line and column in characters.
+    std::string place(std::size_t offset) const;
     [[noreturn]] void fail(ErrorKind kind, std::size_t offset, const std::string& reason) const;
 
   private:
     friend class DocumentReader;
+    std::size_t column(std::size_t offset) const;
     static constexpr std::uint32_t none = UINT32_MAX;
     const Node* at(std::uint32_t index) const { return index == none ? nullptr : &nodes_[index]; }
 

@@ -251,7 +251,7 @@ void ScenePlan::check_nesting(std::size_t index, const Node* section) const {
         if (is_instance(node)) fail("into the list \"children\" of the instance");
         const bool is_section =
             (key == "children" && node->kind == Document::Kind::array &&
-             is_instance(document_.first(*node))) ||
+             (document_.first(*node) == nullptr || is_instance(document_.first(*node)))) ||
             ((key == "properties" || key == "ad_hoc") && node->kind == Document::Kind::object &&
              (declared || document_.count(*node) != 1)) ||
             key == version_key;

@@ -77,9 +77,13 @@ class SettingsReader {
         }
         return size;
     }
+    /// File, line and column of a value.
+    std::string place(const Node& node) const { return document_.place(node.begin); }
     [[noreturn]] void refuse(const Node& node, const std::string& expected) {
         constexpr std::size_t longest = 60;
         std::string found(kind_words(node.kind));
+        if (node.kind == Kind::array && document_.count(node) != 0)
+            found += " of " + std::to_string(document_.count(node));
         const std::string_view raw = document_.raw(node);
         if (node.kind != Kind::object && node.kind != Kind::array && raw.size() <= longest)
             found += " (" + std::string(raw) + ")";
@@ -129,6 +133,15 @@ std::string read_id(SettingsReader& reader, const Document::Node& node) {
                       "an id of letters, digits, \".\", \"-\" and \"_\", as in "
                       "\"org.example.marbles\"");
     return id;
+}
+
+void read_icon(SettingsReader& reader, const Document::Node& node, GameSettings& settings) {
+    constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".bmp", ".tga"};
+    settings.icon = reader.text(node);
+    settings.icon_at = reader.place(node);
+    const std::string ending = fs::path(settings.icon).extension().string();
+    if (!settings.icon.empty() && std::ranges::find(endings, ending) == std::end(endings))
+        reader.refuse(node, "an image (.png, .jpg, .jpeg, .bmp or .tga)");
 }
 
 std::string read_fettle(SettingsReader& reader, const Document::Node& node,
@@ -213,7 +226,7 @@ GameSettings game_settings(std::string text, const std::string& file_name,
                        else if (key == "window")
                            settings.window = read_window(reader, node);
                        else if (key == "icon")
-                           settings.icon = reader.text(node);
+                           read_icon(reader, node, settings);
                        else if (key == "console")
                            settings.console = read_console(reader, node);
                        else if (key == "fettle")
@@ -235,17 +248,42 @@ GameSettings game_settings(std::string text, const std::string& file_name,
     return settings;
 }
 
+namespace {
+
+/// Whether the game has a file of that name. Throws FileError for a link that leads nowhere and for
+/// a name in another case, since such a file would have no effect.
+bool has_file(GameFiles& files, const fs::path& file) {
+    if (files.exists(file)) return true;
+    std::error_code error;
+    if (fs::is_symlink(file, error)) throw FileError(file, "this link leads nowhere");
+    const auto lower = [](std::string text) {
+        for (char& c : text)
+            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        return text;
+    };
+    const std::string wanted = file.filename().string();
+    for (fs::directory_iterator it(file.parent_path(), error), end; !error && it != end;
+         it.increment(error)) {
+        const std::string name = it->path().filename().string();
+        if (name != wanted && lower(name) == wanted)
+            throw FileError(it->path(), "expected the name " + wanted + ", in lower case");
+    }
+    return false;
+}
+
+}  // namespace
+
 GameSettings read_game_settings(GameFiles& files, const fs::path& game, std::string_view program) {
     std::error_code error;
     fs::path file = (fs::is_directory(game, error) ? game : game.parent_path()) / "game.json";
-    if (!files.exists(file)) return {};
+    if (!has_file(files, file)) return {};
     return game_settings(files.read(file), file.string(), program);
 }
 
 void read_module_list(GameFiles& files, const fs::path& folder,
                       const std::function<void(const std::string&)>& take) {
     const fs::path file = folder / "modules.json";
-    if (!files.exists(file)) return;
+    if (!has_file(files, file)) return;
     const Document document(files.read(file), file.string());
     SettingsReader reader(document);
     if (document.root().kind != Document::Kind::object || document.count(document.root()) == 0)

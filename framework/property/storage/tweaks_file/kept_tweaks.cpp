@@ -66,6 +66,11 @@ void KeptTweaks::read() {
     document_ = std::make_shared<const Document>(files_.read(file_), file_.string());
     const Node& root = document_->root();
     const Node* version = document_->member(root, version_of_tweaks);
+    if (version != nullptr && version->kind != Document::Kind::integer)
+        document_->fail(ErrorKind::bad_structure, version->begin,
+                        "no file of tweaks: \"fettle_tweaks\": expected the version of the format, "
+                        "which is a whole number, found " +
+                            std::string(kind_words(version->kind)));
     if (version == nullptr || version->kind != Document::Kind::integer || version->integer < 1)
         document_->fail(ErrorKind::bad_structure, root.begin,
                         "no file of tweaks: the key \"fettle_tweaks\" with the version of the "

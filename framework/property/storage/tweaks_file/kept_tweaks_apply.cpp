@@ -176,6 +176,14 @@ Handle KeptTweaks::find(const Node& node, const std::string& path, std::size_t c
         const Handle child = tree_.child(at, name);
         if (!child) {
             if (then.empty()) return {};
+            if (const Property* const property = tree_.find(at, name)) {
+                const std::string whole = joined_path(segments, i + 1);
+                warn(document_->has_key(node) ? node.key_begin : node.begin,
+                     path + ": " + whole + " is a property: write its whole value" +
+                         (property->type == Type::vec2 ? ", as in \"" + whole + "\": [0, 0]" : "") +
+                         "; what is here has no effect");
+                return {};
+            }
             std::vector<std::string> names;
             for (const Handle each : tree_.children(at)) names.push_back(tree_.name(each));
             warn(document_->has_key(node) ? node.key_begin : node.begin,

@@ -295,6 +295,10 @@ class ValueReader {
             return Vec2(numbers[0], numbers[1]);
         }
         if (type == Type::color && components(node, numbers) >= 3) {
+            for (const double channel : numbers)
+                if (!(channel >= 0 && channel <= 1))
+                    fail(node, "a color's channels are from 0 to 1, and " + number_text(channel) +
+                                   " is not");
             return Color{static_cast<float>(numbers[0]), static_cast<float>(numbers[1]),
                          static_cast<float>(numbers[2]), static_cast<float>(numbers[3])};
         }

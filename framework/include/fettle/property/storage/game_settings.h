@@ -39,8 +39,9 @@ struct GameSettings {
     std::string id{};       // names the player's folder for the game; "" if it has none
     std::string version{};  // of the game
     std::string author{};
-    std::string icon{};    // an image below the game's folder
-    std::string fettle{};  // the version of Fettle that the game was written for
+    std::string icon{};                // an image below the game's folder
+    std::string icon_at{"game.json"};  // the place of its name, for messages: "game.json:2:11"
+    std::string fettle{};              // the version of Fettle that the game was written for
     ConsoleUse console = ConsoleUse::on;
     /// Whether enlarged images are smooth, for instances whose `smooth` was not set; empty: the
     /// default of their class.
