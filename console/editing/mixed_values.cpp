@@ -1,6 +1,7 @@
 #include <editing/mixed_values.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <look/fields.h>
 #include <text/short_numbers.h>
@@ -88,7 +89,13 @@ std::string MixedValues::text(const property::Tree& tree, const Property& proper
 /// "1 to 5", or "x 1 to 5, y 3"; "" if all of them are equal.
 std::string MixedValues::range_text(const Comparison& row, bool vector) {
     const auto text = [](double low, double high) {
-        return short_number(low) + (low < high ? " to " + short_number(high) : "");
+        // Beside the other end, a tiny one is 0.
+        const double tiny = 1e-4 * std::max(std::abs(low), std::abs(high));
+        const auto end = [&](double value) {
+            return short_number(std::abs(value) < tiny ? 0 : value);
+        };
+        if (!(low < high)) return end(low);
+        return end(low) == end(high) ? "about " + end(low) : end(low) + " to " + end(high);
     };
     const Vec2 &low = row.lowest, &high = row.highest;
     if (!(low.x < high.x) && !(low.y < high.y)) return {};

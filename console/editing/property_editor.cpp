@@ -154,7 +154,12 @@ void PropertyEditor::remarks(const Property& property, const Origin& origin, flo
         if (!origin.source.empty() && ImGui::IsItemClicked(0)) begin_formula(property);
     }
     remark(left, palette::error, origin.problem);
-    remark(left, palette::error, problem(property));
+    const std::string refused = problem(property);
+    const bool fresh = !refused.empty() && refused != seen_problem_;
+    if (!refused.empty()) seen_problem_ = refused;
+    remark(left, palette::error, refused);
+    if (fresh && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(1.0f);
+    if (problems_.empty()) seen_problem_.clear();
 }
 
 void PropertyEditor::remark(float left, ImU32 color, const std::string& text) {

@@ -156,6 +156,7 @@ class PropertyEditor {
     bool edited_ = false;
     bool dragging_ = false;
     std::unordered_map<const property::Property*, std::string> problems_;
+    std::string seen_problem_;  // that was scrolled into view
     property::Handle problems_of_;
     std::unordered_map<const property::Property*, Rect> widgets_, gutters_;
 };

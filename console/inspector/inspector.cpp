@@ -186,8 +186,10 @@ void Inspector::draw(ImFont* bold, float left_out) {
     draw_outline(std::max(1.0f, std::floor(available * outline_share_)));
     draw_splitter();
     if (!tree_.alive(selected())) {
-        const std::string instead =
-            selected() ? last_path_ + " was deleted" : "Click a body in the game, or a name above.";
+        const std::string instead = !selected() ? "Click a body in the game, or a name above."
+                                    : tree_.deleted_info(selected())
+                                        ? last_path_ + " was deleted"
+                                        : last_path_ + " is not there at this step";
         ImGui::Spacing();
         ImGui::PushTextWrapPos(0);
         ImGui::TextDisabled("%s", instead.c_str());

@@ -199,11 +199,12 @@ void Pen::stroke(bool closed, const property::Paint& paint) {
     const bool hidden = paint.fill.a <= 0 && paint.border.a <= 0;
     if (style_.as_drawn && !hidden) {
         // An outline that is not convex has its border only.
+        const float opacity = style_.opacity * state().opacity;
         if (closed && paint.fill.a > 0 && is_convex(points_))
-            list_.AddConvexPolyFilled(points_.data(), count, color_of(paint.fill, style_.opacity));
+            list_.AddConvexPolyFilled(points_.data(), count, color_of(paint.fill, opacity));
         const bool border = paint.border.a > 0 && paint.border_width > 0;
         list_.AddPolyline(points_.data(), count,
-                          color_of(border ? paint.border : paint.fill, style_.opacity), flags,
+                          color_of(border ? paint.border : paint.fill, opacity), flags,
                           border ? paint.border_width : 1.5f);
     } else {
         if (style_.glow != 0)

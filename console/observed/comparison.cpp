@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <unordered_map>
 #include <utility>
 
 #include <fettle/property/error.h>
@@ -58,9 +59,16 @@ std::string meters(double length) {
 
 }  // namespace
 
-const Comparison::Pose* Comparison::Moment::find(Handle instance) const {
+const Pose* Comparison::Moment::find(Handle instance) const {
     const auto place = std::ranges::find(poses, instance, &Pose::instance);
     return place == poses.end() ? nullptr : &*place;
+}
+
+const Pose* Comparison::Moment::counterpart(const Moment& other, std::size_t pose) const {
+    if (const Pose* const same = find(other.poses[pose].instance)) return same;
+    if (pose >= other.paths.size()) return nullptr;
+    const auto path = std::ranges::find(paths, other.paths[pose]);
+    return path == paths.end() ? nullptr : &poses[static_cast<std::size_t>(path - paths.begin())];
 }
 
 void Comparison::request_change(const std::string& path, const Value& value, double seconds) {
@@ -101,6 +109,7 @@ void Comparison::end() {
     branch_request_.reset();
     a_.clear();
     b_.clear();
+    if (drawn_) former_ = std::move(drawn_);
 }
 
 std::int64_t Comparison::first_step(const ChangeRequest& request) const {
@@ -113,17 +122,23 @@ std::int64_t Comparison::first_step(const ChangeRequest& request) const {
     return std::max(first, oldest.is(Type::integer) ? oldest.integer() : 0);
 }
 
-Comparison::Moment Comparison::moment(std::int64_t step) const {
-    Moment made{step, {}};
+Comparison::Moment Comparison::moment(std::int64_t step, bool with_paths) {
+    Moment made{.step = step};
     for (const Handle instance : placed(tree_)) {
         const auto at = property::place_below(tree_, instance, false, 1);
         if (at) made.poses.push_back({instance, at->origin, std::atan2(at->x.y, at->x.x)});
     }
+    if (with_paths)
+        for (const Pose& each : made.poses) made.paths.push_back(tree_.path(each.instance));
+    if (seen) made.seen = seen();
+    made.items = drawn_->note(tree_, made.poses, made.seen);
     return made;
 }
 
 void Comparison::between_frames(const Review& review, const RepeatWith& repeat_with,
                                 const ReviewBranch& other) {
+    former_.reset();
+    if (waits()) drawn_ = std::make_unique<DrawnPast>();
     if (change_request_) compare_change(review, repeat_with);
     if (branch_request_) compare_branches(review, other);
 }
@@ -155,9 +170,14 @@ void Comparison::compare_change(const Review& review, const RepeatWith& repeat_w
         written = tree_.text(property::get(tree_, request.path), place.property->precision());
     };
     try {
-        repeat_with(first, change, [&](std::int64_t step) { b_.push_back(moment(step)); });
-        review(first, static_cast<std::int64_t>(tree_.step()),
-               [&](std::int64_t step) { a_.push_back(moment(step)); });
+        const auto here = static_cast<std::int64_t>(tree_.step());
+        const auto into = [this, here](std::vector<Moment>& side) {
+            return [this, here, &side](std::int64_t step) {
+                side.push_back(moment(step, step == here));
+            };
+        };
+        repeat_with(first, change, into(b_));
+        review(first, here, into(a_));
     } catch (const std::exception& error) {
         end();
         return report_error("ab: " + property::exception_text(error));
@@ -193,7 +213,7 @@ void Comparison::compare_branches(const Review& review, const ReviewBranch& othe
     NotedValues of_a, of_b;
     const auto into = [&](std::vector<Moment>& side, NotedValues& values) {
         return [&, last](std::int64_t step) {
-            if (step <= last) side.push_back(moment(step));
+            if (step <= last) side.push_back(moment(step, step == last));
             if (step == last) values = NotedValues(tree_);
         };
     };
@@ -228,26 +248,53 @@ void Comparison::report_values(const NotedValues& a, const NotedValues& b) {
 void Comparison::report_difference(const std::string& what) {
     if (!shown()) return;
     lacks_drawing_ = scripts_draw && scripts_draw();
-    std::size_t moved = 0, only_one = 0;
-    const Pose* farthest = nullptr;
+    const Moment &a = a_.back(), &b = b_.back();
+    std::size_t moved = 0, only_b = 0, only_a = 0, farthest = 0;
     double most = 0;
-    for (const Pose& pose : b_.back().poses) {
-        const Pose* const other = a_.back().find(pose.instance);
+    for (std::size_t i = 0; i < b.poses.size(); ++i) {
+        const Pose* const other = a.counterpart(b, i);
         if (other == nullptr) {
-            ++only_one;
+            ++only_b;
             continue;
         }
-        const double way = (pose.position - other->position).length();
+        const double way = (b.poses[i].position - other->position).length();
         if (way > apart) ++moved;
-        if (way > most) most = way, farthest = &pose;
+        if (way > most) most = way, farthest = i;
     }
+    for (std::size_t i = 0; i < a.poses.size(); ++i)
+        only_a += b.counterpart(a, i) == nullptr ? 1 : 0;
     std::string line = what + " since step " + std::to_string(a_.front().step) + ": " +
                        std::to_string(moved) + " of " + std::to_string(b_.back().poses.size()) +
                        " end elsewhere";
-    if (moved > 0 && tree_.alive(farthest->instance))
-        line += ", " + tree_.path(farthest->instance) + " by " + meters(most);
-    if (only_one > 0) line += "; " + std::to_string(only_one) + " exist in B only";
+    if (moved > 0 && farthest < b.paths.size())
+        line += ", " + b.paths[farthest] + " by " + meters(most);
+    for (const auto& [count, side] : {std::pair{only_a, "A"}, {only_b, "B"}})
+        if (count > 0)
+            line += "; " + std::to_string(count) + (count == 1 ? " exists in " : " exist in ") +
+                    side + " only";
+    if (const std::size_t looks = count_different_looks())
+        line += "; " + std::to_string(looks) + (looks == 1 ? " looks" : " look") + " different";
     report(line);
+}
+
+/// How many of the instances that both have at the end are drawn in another way there.
+std::size_t Comparison::count_different_looks() const {
+    using Looks = std::unordered_map<std::uint64_t, std::vector<DrawnPast::Item>>;
+    const auto looks_of = [](const Moment& moment) {
+        Looks looks;
+        for (const DrawnPast::Item& item : *moment.items)
+            if (item.pose != DrawnPast::nowhere)
+                looks[moment.poses[item.pose].instance.key()].push_back(item);
+        return looks;
+    };
+    const Looks a = looks_of(a_.back()), b = looks_of(b_.back());
+    const auto same = [this](const DrawnPast::Item& p, const DrawnPast::Item& q) {
+        return drawn_->same(p, q);
+    };
+    return static_cast<std::size_t>(std::ranges::count_if(a, [&](const auto& each) {
+        const auto other = b.find(each.first);
+        return other != b.end() && !std::ranges::equal(each.second, other->second, same);
+    }));
 }
 
 void Comparison::report(const std::string& line) {

@@ -4,20 +4,19 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <fettle/property/tree.h>
 
+#include <observed/drawn_past.h>
 #include <observed/noted_values.h>
 #include <observed/review.h>
 #include <text/log.h>
 
 namespace fettle::console {
-
-/// Whether the instance has a position of its own.
-bool has_position(const property::Tree& tree, property::Handle instance);
 
 class Comparison {
   public:
@@ -29,15 +28,16 @@ class Comparison {
     static constexpr std::size_t most_poses = 1'000'000;  // of one side
     static constexpr double apart = 0.01;                 // m; nearer poses count as the same
 
-    struct Pose {
-        property::Handle instance;
-        property::Vec2 position{0, 0};  // m
-        double angle = 0;               // rad
-    };
     struct Moment {
         std::int64_t step = 0;
-        std::vector<Pose> poses;  // in the order of the tree
+        std::vector<Pose> poses{};         // in the order of the tree
+        std::vector<std::string> paths{};  // of the poses; only at the present step
+        property::Seen seen{};             // the visible part of the world
+        DrawnPast::Items items{};
         const Pose* find(property::Handle instance) const;
+        /// The pose of the same instance as one of another run. What was made in both runs after
+        /// they parted has the same path.
+        const Pose* counterpart(const Moment& other, std::size_t pose) const;
     };
 
     Comparison(property::Tree& tree, Log& log) : tree_(tree), log_(log) {}
@@ -47,6 +47,9 @@ class Comparison {
 
     /// Whether scripts draw by themselves; optional.
     std::function<bool()> scripts_draw;
+
+    /// The part of the world that the game shows now; optional.
+    std::function<property::Seen()> seen;
 
     /// Compares at the next `between_frames`. Throws Error for a path that names no writable
     /// property, and for another time than 0.1 to 60 s.
@@ -64,6 +67,8 @@ class Comparison {
     bool shown() const { return !a_.empty() && !b_.empty(); }
     const std::vector<Moment>& a() const { return a_; }
     const std::vector<Moment>& b() const { return b_; }
+    /// What was drawn at the moments of both. There is one while both are shown.
+    const DrawnPast& drawn() const { return *drawn_; }
     /// The name of A: "as it was", or the name of a branch.
     const std::string& original() const { return original_; }
     /// The name of B: "world.ball.mass = 3 kg", or the name of a branch.
@@ -90,7 +95,8 @@ class Comparison {
     void compare_branches(const Review& review, const ReviewBranch& other);
     void cut_to_common_steps();
     std::int64_t first_step(const ChangeRequest& request) const;
-    Moment moment(std::int64_t step) const;
+    Moment moment(std::int64_t step, bool with_paths);
+    std::size_t count_different_looks() const;
     void report_difference(const std::string& what);
     void report_values(const NotedValues& a, const NotedValues& b);
     void report(const std::string& line);
@@ -101,6 +107,8 @@ class Comparison {
     std::optional<ChangeRequest> change_request_;
     std::optional<BranchRequest> branch_request_;
     std::vector<Moment> a_, b_;
+    std::unique_ptr<DrawnPast> drawn_;
+    std::unique_ptr<DrawnPast> former_;  // the frame that is built now may have its pictures
     std::string original_, change_;
     bool lacks_drawing_ = false;
     int number_ = 0;

@@ -12,7 +12,9 @@ NotedValues::NotedValues(const property::Tree& tree) {
         if (instance == tree.root() || !complete_) return;
         std::vector<Noted>& values = instances_[tree.path(instance)];
         for (const property::Property* const each : tree.properties(instance)) {
-            if (each->simulated || each->transient || each->read_only || each->hidden) continue;
+            // A derived value, such as a mass, changes by an edit only.
+            const bool moves = each->simulated && each->derives_from.empty();
+            if (moves || each->transient || each->read_only || each->hidden) continue;
             if (noted++ == most) {
                 complete_ = false;
                 return;
@@ -42,11 +44,12 @@ const NotedValues::Noted* find_noted(const Values& values, const std::string& na
     return found == values.end() ? nullptr : &*found;
 }
 
-/// Differences in one property: the first instance, and the number of instances.
+/// Differences in one property: lines for the first instances, and the number of instances.
 struct Difference {
-    std::string line;
+    std::vector<std::string> lines;
     std::size_t instances = 0;
 };
+constexpr std::size_t most_of_one = 3;  // lines
 
 void add_differences(const property::Tree& tree, const std::string& path, const Values& a,
                      const Values& b, std::vector<std::string>& names,
@@ -61,9 +64,9 @@ void add_differences(const property::Tree& tree, const std::string& path, const 
         if (of_one == of_other)
             return;  // differences too small to show, or different deleted instances
         Difference& difference = found[name];
-        if (difference.instances++ > 0) return;
-        names.push_back(name);
-        difference.line = path + "." + name + ": A " + of_one + ", B " + of_other;
+        if (difference.instances == 0) names.push_back(name);
+        if (difference.instances++ < most_of_one)
+            difference.lines.push_back(path + "." + name + ": A " + of_one + ", B " + of_other);
     };
     for (const NotedValues::Noted& of_a : a) {
         const NotedValues::Noted* const of_b = find_noted(b, of_a.name);
@@ -83,10 +86,11 @@ std::vector<std::string> differences(const property::Tree& tree, const NotedValu
         if (const auto other = b.instances().find(path); other != b.instances().end())
             add_differences(tree, path, values, other->second, names, found);
     for (const std::string& name : names) {
-        const auto& [line, instances] = found[name];
-        lines.push_back(line + (instances > 1 ? "; and in " + std::to_string(instances - 1) +
-                                                    (instances == 2 ? " other" : " others")
-                                              : ""));
+        Difference& its = found[name];
+        if (const std::size_t others = its.instances - its.lines.size(); others > 0)
+            its.lines.back() +=
+                "; and in " + std::to_string(others) + (others == 1 ? " other" : " others");
+        lines.insert(lines.end(), its.lines.begin(), its.lines.end());
     }
     const auto add_lone = [&](const NotedValues& one, const NotedValues& other, const char* where) {
         for (const auto& [path, values] : one.instances())

@@ -35,9 +35,9 @@ class NotedValues {
     bool complete_ = true;
 };
 
-/// A line for each property with values that differ, ordered by the paths of the first instances:
-/// "world.ball.mass: A 2 kg, B 5 kg; and in 3 others"; and for each instance that only one of both
-/// has.
+/// Lines for each property with values that differ, ordered by the paths of the first instances,
+/// and for three instances each: "world.ball.mass: A 2 kg, B 5 kg; and in 3 others"; and a line for
+/// each instance that only one of both has.
 std::vector<std::string> differences(const property::Tree& tree, const NotedValues& a,
                                      const NotedValues& b);
 

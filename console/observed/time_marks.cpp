@@ -4,6 +4,8 @@
 
 #include <fettle/property/error.h>
 
+#include <observed/game_time.h>
+
 namespace fettle::console {
 
 void TimeMarks::add(TimeMark::Kind kind, const std::string& text) {
@@ -48,9 +50,15 @@ std::pair<std::string, std::int64_t> TimeMarks::bookmark(const std::string& name
         throw property::Error(property::ErrorKind::bad_name,
                               "bookmark: expected a name of one line and at most 80 bytes");
     const std::int64_t at = step.value_or(static_cast<std::int64_t>(tree_.step()));
-    if (at < 0)
+    const property::Value oldest = time_value(tree_, "oldest"),
+                          newest = time_value(tree_, "newest");
+    const std::int64_t first = oldest.is(property::Type::integer) ? oldest.integer() : 0;
+    const std::int64_t last =
+        newest.is(property::Type::integer) ? newest.integer() : std::max(at, first);
+    if (step && (at < first || at > last))
         throw property::Error(property::ErrorKind::out_of_range,
-                              "bookmark: step " + std::to_string(at) + ": expected 0 or more");
+                              "bookmark: step " + std::to_string(at) + " is not kept: those from " +
+                                  std::to_string(first) + " to " + std::to_string(last) + " are");
     if (bookmarks().size() >= most)
         throw property::Error(property::ErrorKind::rejected,
                               "bookmark: there are " + std::to_string(most) +

@@ -130,6 +130,8 @@ void Console::State::connect_lists() {
     views.watch_list.run = context_menu.run;
     observing.on_result = comparison.on_result = options.on_result;
     comparison.scripts_draw = options.scripts_draw;
+    comparison.seen = [this] { return seen(); };
+    waits.halted = options.halted;
     observing.toggle_key = [this] { return settings.text("key"); };
 }
 
@@ -350,10 +352,12 @@ Console::~Console() {
 void Console::after_step() {
     state_->observing.after_step();
     state_->onion_skins.after_step();
+    state_->waits.after_step();
 }
 void Console::between_frames() {
     State& s = *state_;
     s.restore_observed();
+    if (std::exchange(s.status.goes_on, false)) set_time_flag(s.tree, "paused", false);
     s.views.time_bar.play_on(s.inspector.editor().drags());
     if (s.status.was_open) property::prepare_explanations(s.tree, s.inspector.selected());
     s.observing.between_frames(s.options.review);
@@ -362,6 +366,7 @@ void Console::between_frames() {
     s.comparison.between_frames(s.options.review, s.options.repeat_with, s.options.review_branch);
     s.onion_skins.follow(s.shows("onion_skins") ? s.inspector.selected() : Handle{});
     s.onion_skins.between_frames(s.options.review);
+    s.waits.between_frames();
 }
 float Console::covered_below() const {
     const State& s = *state_;
@@ -404,8 +409,17 @@ script::Evaluation Console::answer_terminal(std::string_view command, std::strin
     return state_->answer_terminal(command, who);
 }
 
-bool Console::answers_later() const {
-    return state_->observing.waits() || state_->comparison.waits();
+bool Console::answers_later(std::string_view who) const {
+    const State& s = *state_;
+    return s.observing.waits() || s.comparison.waits() || s.waits.has(who);
+}
+
+std::optional<std::vector<std::string>> Console::waited(std::string_view who) {
+    return state_->waits.result(who);
+}
+
+void Console::stop_waiting(std::string_view who) {
+    state_->waits.stop(who);
 }
 
 bool Console::is_open() const {

@@ -332,7 +332,10 @@ bool Console::State::click_game(float x, float y, bool menu) {
         if (!found) found = pick(tree, options.to_world(x, y));
         if (!found && options.to_pixels)
             found = pick_picture(tree, {x, y}, options.to_pixels, seen());
-        if (!found) return !menu;
+        if (!found) {
+            if (!menu) input.keys_to_selection = tree.alive(inspector.selected());
+            return !menu;
+        }
         input.keys_to_selection = true;
         if (!menu && input.control_held) {
             inspector.toggle(found);

@@ -279,8 +279,8 @@ void Console::State::draw_comparison(double seconds) {
         const float inspected = least_inspector * ImGui::GetFontSize() + margin;
         if (low - inspected >= top + CompareView::least_height) low -= inspected;
     }
-    views.compare_view.draw({ImVec2(margin, top), ImVec2(screen.width - margin, low)}, tree,
-                            comparison, seen(), ui.pictures(), seconds,
+    views.compare_view.draw({ImVec2(margin, top), ImVec2(screen.width - margin, low)}, comparison,
+                            ui.pictures(), seconds,
                             views.time_bar.available() ? views.time_bar.times().dt : 1.0 / 60);
     // The windows would leave strips of the game visible between them.
     if (!views.compare_view.rect().empty())
@@ -334,7 +334,9 @@ void Console::State::draw_observed(float right) {
     if (pinned)
         list = stacked ? wide : std::min(wide, plotted ? std::min(28 * em, wide * 0.5f) : 34 * em);
     // A list above which a plot stands leaves it the least room, and scrolls.
-    const float of_plot = plotted && stacked ? std::ceil(low_plot * em + margin) + 1 : 0;
+    const float lowest_plot =
+        low_plot * em + PlotView::added_legend_height(observing.plots().size());
+    const float of_plot = plotted && stacked ? std::ceil(lowest_plot + margin) + 1 : 0;
     const float list_room = std::max(low_list * em, room - of_plot);
     if (room < low_list * em)
         views.watch_list.hide();
@@ -345,7 +347,7 @@ void Console::State::draw_observed(float right) {
     const float bottom = under ? views.watch_list.rect().low.y - margin : low;
     const float left = margin + (pinned && !stacked ? list + margin : 0);
     const float plot_room = room - (low - bottom);
-    if (plot_room < low_plot * em) return views.plot_view.hide();
+    if (plot_room < lowest_plot) return views.plot_view.hide();
     const TimeBar::Times now = views.time_bar.times();
     const float chosen = settings.number("plot_height") * settings.number("scale");
     const float usual = std::min(std::max(plot_room * 0.6f, least_plot * em), 16 * em);

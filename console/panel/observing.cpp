@@ -51,7 +51,13 @@ script::ConsoleFunctions Observing::functions() {
     f.break_when = [this](script::Observed condition) { return break_when(std::move(condition)); };
     f.unbreak = [this](const std::string& text) { return breaks_.remove(text); };
     f.breaks = [this] { return breaks_.texts(); };
-    f.last_time = [this](script::Observed condition) { searched_ = std::move(condition); };
+    f.last_time = [this](script::Observed condition) {
+        constexpr std::size_t most = 20;
+        if (searched_.size() == most)
+            throw property::Error(property::ErrorKind::rejected,
+                                  "last_time: at most 20 searches in one frame");
+        searched_.push_back(std::move(condition));
+    };
     f.bind = [this](const std::string& key, const std::string& command) {
         return bind(key, command);
     };
@@ -274,7 +280,8 @@ void Observing::between_frames(const Review& review) {
     run_waiting();
     follow_branch(static_cast<std::int64_t>(tree_.step()) + 1);
     read_past(review);
-    search_past(review);
+    for (const script::Observed& condition : std::exchange(searched_, {}))
+        search_past(review, condition);
 }
 
 /// Runs the files of commands that wait. A command may add others.
@@ -346,9 +353,7 @@ void Observing::read_past(const Review& review) {
     }
 }
 
-void Observing::search_past(const Review& review) {
-    if (!searched_) return;
-    const script::Observed condition = *std::exchange(searched_, std::nullopt);
+void Observing::search_past(const Review& review, const script::Observed& condition) {
     if (!review) return report_error("last_time: this game keeps no past");
     const auto here = static_cast<std::int64_t>(tree_.step());
     std::int64_t first = -1, last_true = -1, became = -1;

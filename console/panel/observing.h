@@ -59,7 +59,7 @@ class Observing {
         return in_terminal ? answer : std::string();
     }
     /// Whether a search or commands wait for `between_frames`.
-    bool waits() const { return searched_.has_value() || !waiting_.empty() || !exports_.empty(); }
+    bool waits() const { return !searched_.empty() || !waiting_.empty() || !exports_.empty(); }
 
     /// The command of a key, "" if it has none.
     std::string command_of_key(const std::string& key) const;
@@ -92,7 +92,7 @@ class Observing {
     void follow_branch(std::int64_t next);
     void read_past(const Review& review);
     std::int64_t first_to_read(bool plotted) const;
-    void search_past(const Review& review);
+    void search_past(const Review& review, const script::Observed& condition);
     void report(const std::string& line);
     void report_error(const std::string& problem);
     void pause();
@@ -105,7 +105,7 @@ class Observing {
     Breaks breaks_;
     PresentBranch branch_;
     std::vector<Trace> pins_, plots_;
-    std::optional<script::Observed> searched_;
+    std::vector<script::Observed> searched_;
     std::deque<Commands> waiting_;
     std::vector<std::string> exports_;
     bool executing_ = false;

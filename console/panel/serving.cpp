@@ -2,6 +2,7 @@
 // answers to commands that were not typed here.
 
 #include <algorithm>
+#include <utility>
 
 #include <fettle/property/error.h>
 
@@ -63,6 +64,11 @@ void Console::State::serve_scripts() {
             return observing.unseen(views.time_bar.play_back(seconds));
         };
         functions.go_on = [this] { return observing.unseen(go_on()); };
+        functions.wait = [this](script::Wait wait) {
+            if (!status.terminal) return false;
+            waits.begin(*status.terminal, std::move(wait));
+            return true;
+        };
         functions.share = options.share;
         functions.record = options.record;
         functions.restart = options.restart;
@@ -71,11 +77,11 @@ void Console::State::serve_scripts() {
     }
 }
 
-/// Not an edit: undo does not take it back.
+/// Not an edit: undo does not take it back. So the pause ends after the command, which is one.
 std::string Console::State::go_on() {
     const TimeBar::Times now = views.time_bar.times();
     if (now.halted && options.resume) options.resume();
-    set_time_flag(tree, "paused", false);
+    status.goes_on = true;
     if (!now.stands()) return "the game runs already";
     return "the game goes on from step " + std::to_string(now.step) +
            (now.in_past() ? "; what came later becomes another branch" : "");
@@ -89,13 +95,35 @@ std::vector<std::string> Console::State::bookmark_lines() const {
     return lines;
 }
 
+namespace {
+
+/// The beginning of an answer, with the tables in it.
+script::Evaluation first_lines(const script::Evaluation& all, std::size_t count) {
+    script::Evaluation some;
+    some.lines.assign(all.lines.begin(), all.lines.begin() + static_cast<std::ptrdiff_t>(count));
+    for (script::TableLines table : all.tables) {
+        if (table.first >= count) break;
+        table.cells.resize(std::min(table.cells.size(), count - table.first));
+        some.tables.push_back(std::move(table));
+    }
+    for (const script::FoldedLines& each : all.folded)
+        if (each.line < count) some.folded.push_back(each);
+    for (const std::size_t line : all.printed)
+        if (line < count) some.printed.push_back(line);
+    return some;
+}
+
+}  // namespace
+
 script::Evaluation Console::State::answer_terminal(std::string_view command, std::string_view who) {
     constexpr std::size_t longest = 200;  // bytes of a command in the log
     constexpr std::size_t most_lines = 8;
     if (!interpreter.evaluate) return {};
     const std::uint64_t before = log.end();
     observing.in_terminal = true;
+    status.terminal = who;
     script::Evaluation result = prompt.evaluate(std::string(command));
+    status.terminal.reset();
     observing.in_terminal = false;
     prompt.clear_log_if_wanted();
     if (who.empty() || result.incomplete) return result;
@@ -104,7 +132,7 @@ script::Evaluation Console::State::answer_terminal(std::string_view command, std
     if (typed.size() < command.size()) typed += " …";
     log.note(std::string(who) + "› " + typed, before);
     const std::size_t shown = std::min(result.lines.size(), most_lines);
-    for (std::size_t i = 0; i < shown; ++i) log.output(result.lines[i]);
+    log.output(first_lines(result, shown));
     if (shown < result.lines.size())
         log.note("… " + std::to_string(result.lines.size() - shown) +
                  " more lines in the terminal");

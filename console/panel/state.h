@@ -17,6 +17,7 @@
 #include <look/imgui_backend.h>
 #include <look/rect.h>
 #include <observed/comparison.h>
+#include <observed/waits.h>
 #include <panel/held_keys.h>
 #include <panel/observing.h>
 #include <prompt/history.h>
@@ -100,10 +101,12 @@ struct Status {
         false;  // it was opened, a key has run a command, or the program has paused the game
     bool pausing = false;  // the console has paused the game's time
     bool time_was_paused = false;
-    bool restored = false;               // what was pinned and plotted in earlier runs
-    std::string selected_path;           // of the selected instance when it was last seen
-    std::vector<std::string> breaks{};   // conditions of the run before a restart
-    std::size_t edits_without_undo = 0;  // of which the log has told
+    bool restored = false;                  // what was pinned and plotted in earlier runs
+    std::string selected_path;              // of the selected instance when it was last seen
+    std::vector<std::string> breaks{};      // conditions of the run before a restart
+    std::size_t edits_without_undo = 0;     // of which the log has told
+    bool goes_on = false;                   // a pause ends before the next frame
+    std::optional<std::string> terminal{};  // whose command runs now; "" has no name
 };
 
 struct Continuation {
@@ -252,6 +255,7 @@ struct Console::State {
     ContextMenu context_menu;
     Observing observing;
     Comparison comparison{tree, log};
+    Waits waits{tree};
     Ghosts ghosts{tree};
     OnionSkins onion_skins{tree};
     Views views;

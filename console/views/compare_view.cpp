@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <string>
-#include <unordered_map>
-
-#include <fettle/property/drawing.h>
-#include <fettle/property/pose.h>
 
 #include <look/theme.h>
 
 namespace fettle::console {
 
-using property::Handle;
 using property::Transform;
 using property::Vec2;
 
@@ -52,46 +48,17 @@ class Window {
     Vec2 center_{0, 0};
 };
 
-/// Draws what has a pose in a run where it was then, and leaves out what did not exist yet and what
-/// is on the screen.
-class Posed : public property::Drawer {
-  public:
-    /// `others`: what has no pose, such as a map of tiles, is drawn as well.
-    Posed(const property::Tree& tree, Pen& pen, bool others)
-        : tree_(tree), pen_(pen), others_(others) {}
-    /// `now`: the map of the instance into the world.
-    void add(const Comparison::Pose& pose, const Transform& now) {
-        moves_[pose.instance.key()] = Transform::placed(pose.position, pose.angle) * inverse(now);
+/// Draws what was drawn at a moment, each thing at its place. `wanted`: for the index of a pose.
+template <class Wanted>
+void draw_moment(Pen& pen, const DrawnPast& past, const Comparison::Moment& moment, bool hidden_too,
+                 const Wanted& wanted) {
+    for (const DrawnPast::Item& item : *moment.items) {
+        if (!wanted(item.pose)) continue;
+        const bool placed = item.pose != DrawnPast::nowhere;
+        pen.place(placed ? moment.poses[item.pose].map() : Transform());
+        pen.draw_for(placed ? moment.poses[item.pose].instance.key() : 0);
+        draw_figures(pen, past.drawing(item), hidden_too);
     }
-    bool any() const { return !moves_.empty(); }
-    bool draws(const property::Class&) override { return false; }
-    bool begins(Handle instance) override {
-        if (pen_.on_screen()) return false;
-        Handle placed;  // the outermost instance with a position around it
-        for (Handle at = instance; at; at = tree_.parent(at))
-            if (has_position(tree_, at)) placed = at;
-        const auto move = moves_.find(placed.key());
-        if (move == moves_.end()) {
-            pen_.place({});
-            return others_ && !placed;
-        }
-        pen_.draw_for(placed.key());
-        const Transform& layer = pen_.transform();
-        pen_.place(layer * move->second * inverse(layer));
-        return true;
-    }
-    void draw(Handle, property::Painter&) override {}
-
-  private:
-    const property::Tree& tree_;
-    Pen& pen_;
-    bool others_;
-    std::unordered_map<std::uint64_t, Transform> moves_;
-};
-
-void draw_all(const property::Tree& tree, Pen& pen, Posed& posed) {
-    const property::DrawingPart part(property::DrawingPart::Part::instances);
-    tree.draw(tree.root(), pen, 1, &posed);
 }
 
 }  // namespace
@@ -130,53 +97,37 @@ void CompareView::draw_note(const Rect& place, const std::string& whole, const s
     draw_text_fit(list, at, palette::dim, text, wide);
 }
 
-void CompareView::draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
-                            bool second, const property::Seen& seen, GamePictures& pictures) const {
+void CompareView::draw_side(const Rect& place, const Comparison& runs, bool second,
+                            GamePictures& pictures) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(place.low, place.high, palette::well);
     list.PushClipRect(place.low, place.high, true);
-    const Window window(place, seen);
+    const Comparison::Moment& own = (second ? runs.b() : runs.a())[shown_];
+    const Comparison::Moment& other = (second ? runs.a() : runs.b())[shown_];
+    const Window window(place, own.seen);
     const ToPixels to_pixels = [&](Vec2 at) { return window.pixels(at); };
-    const auto& own = (second ? runs.b() : runs.a())[shown_].poses;
-    const auto& others = (second ? runs.a() : runs.b())[shown_].poses;
     Pen pen(list, to_pixels, {.as_drawn = true, .pictures = &pictures});
-    Pen line(list, to_pixels, outline_of(palette::accent));
-    Posed posed(tree, pen, true), elsewhere(tree, line, false);
-    for (std::size_t i = 0; i < own.size(); ++i) {
-        const Comparison::Pose& pose = own[i];
-        if (!tree.alive(pose.instance)) continue;
-        const auto now = property::place_below(tree, pose.instance, false, 1);
-        if (!now) continue;
-        posed.add(pose, *now);
-        if (second && i < others.size() && others[i].instance == pose.instance &&
-            (others[i].position - pose.position).length() > Comparison::apart)
-            elsewhere.add(others[i], *now);
-    }
-    pen.show(seen);
-    line.show(seen);
-    draw_all(tree, pen, posed);
+    draw_moment(pen, runs.drawn(), own, false, [](std::uint32_t) { return true; });
     // What the picture lacks, such as a body that a script draws, has an outline.
     Pen outline(list, to_pixels, outline_of(palette::note));
-    outline.show(seen);
-    Posed lacking(tree, outline, false);
-    for (const Comparison::Pose& pose : own) {
-        if (!tree.alive(pose.instance) || pen.drew_for(pose.instance.key())) continue;
-        if (const auto now = property::place_below(tree, pose.instance, false, 1))
-            lacking.add(pose, *now);
-    }
-    if (lacking.any()) draw_all(tree, outline, lacking);
+    draw_moment(outline, runs.drawn(), own, true, [&](std::uint32_t pose) {
+        return pose != DrawnPast::nowhere && !pen.drew_for(own.poses[pose].instance.key());
+    });
     outline.outline_pictures();
-    for (const Comparison::Pose& pose : own) {
-        if (!tree.alive(pose.instance) || pen.drew_for(pose.instance.key()) ||
-            outline.drew_for(pose.instance.key()))
-            continue;
+    for (const Pose& pose : own.poses) {
+        if (pen.drew_for(pose.instance.key()) || outline.drew_for(pose.instance.key())) continue;
         const Vec2 at = window.pixels(pose.position);  // a dot shows where it is
         list.AddCircleFilled(ImVec2(static_cast<float>(at.x), static_cast<float>(at.y)), 3,
                              palette::note);
     }
-    // In B, a line shows where it is in A.
-    if (second) draw_all(tree, line, elsewhere);
-    line.outline_pictures();
+    if (second) {  // a line shows where it is in A
+        Pen line(list, to_pixels, outline_of(palette::accent));
+        draw_moment(line, runs.drawn(), other, true, [&](std::uint32_t i) {
+            return i < own.poses.size() && own.poses[i].instance == other.poses[i].instance &&
+                   (own.poses[i].position - other.poses[i].position).length() > Comparison::apart;
+        });
+        line.outline_pictures();
+    }
     list.PopClipRect();
 }
 
@@ -221,9 +172,8 @@ float CompareView::height(float width, float aspect) {
     return picture / aspect + (gap_ems + title_ems + track_ems) * em;
 }
 
-void CompareView::draw(const Rect& place, const property::Tree& tree, const Comparison& runs,
-                       const property::Seen& seen, GamePictures& pictures, double seconds,
-                       double dt) {
+void CompareView::draw(const Rect& place, const Comparison& runs, GamePictures& pictures,
+                       double seconds, double dt) {
     if (!runs.shown() || place.high.x - place.low.x < 100 ||
         place.high.y - place.low.y < least_height)
         return hide();
@@ -240,13 +190,15 @@ void CompareView::draw(const Rect& place, const property::Tree& tree, const Comp
     const auto below = [&](const Rect& side) {
         return Rect{ImVec2(side.low.x, side.low.y + title), side.high};
     };
-    draw_side(below(left), tree, runs, false, seen, pictures);
-    draw_side(below(right), tree, runs, true, seen, pictures);
+    draw_side(below(left), runs, false, pictures);
+    draw_side(below(right), runs, true, pictures);
     draw_title(left, "A", runs.original(), palette::dim);
     draw_title(right, "B", runs.change(), palette::accent);
-    draw_note(left, "places of then; shapes, colors and view of now", "shapes and view of now", 0);
+    int notes = 0;
     if (runs.lacks_drawing())
-        draw_note(left, "without what scripts draw in draw(pen)", "without draw(pen)", 1);
+        draw_note(left, "without what scripts draw in draw(pen)", "without draw(pen)", notes++);
+    if (runs.drawn().full())
+        draw_note(left, "later changes of shapes and colors are not kept", "old shapes", notes++);
     char text[48];
     std::snprintf(text, sizeof text, "step %lld  %.2f s",
                   static_cast<long long>(runs.a()[shown_].step), static_cast<double>(shown_) * dt);

@@ -24,10 +24,10 @@ class CompareView {
     /// Ends the comparison.
     std::function<void()> close;
 
-    /// Draws a window in `place`. `seen`: the visible part of the world. `pictures`: textures for
-    /// the pictures of the game. `seconds`: since the last picture; `dt`: of a step.
-    void draw(const Rect& place, const property::Tree& tree, const Comparison& runs,
-              const property::Seen& seen, GamePictures& pictures, double seconds, double dt);
+    /// Draws a window in `place`. `pictures`: textures for the pictures of the game. `seconds`:
+    /// since the last picture; `dt`: of a step.
+    void draw(const Rect& place, const Comparison& runs, GamePictures& pictures, double seconds,
+              double dt);
     const Rect& rect() const { return rect_; }
     void hide() { rect_ = track_ = close_ = {}; }
     /// For tests: the track on which a moment is chosen, the button that ends it, and the index of
@@ -39,8 +39,8 @@ class CompareView {
   private:
     void draw_note(const Rect& place, const std::string& whole, const std::string& brief,
                    int rows_below) const;
-    void draw_side(const Rect& place, const property::Tree& tree, const Comparison& runs,
-                   bool second, const property::Seen& seen, GamePictures& pictures) const;
+    void draw_side(const Rect& place, const Comparison& runs, bool second,
+                   GamePictures& pictures) const;
     void draw_title(const Rect& place, const std::string& name, const std::string& what,
                     ImU32 color) const;
     void draw_track(const Comparison& runs, double dt);

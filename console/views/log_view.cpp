@@ -211,53 +211,6 @@ void LogView::wrap(std::size_t columns) {
         if (passes(*next)) wrap_line(wrapped_, *next);
 }
 
-void LogView::scroll(float line_height) {
-    if (pages_ != 0) {
-        float page = std::max(line_height, ImGui::GetWindowHeight() - 2 * line_height);
-        ImGui::SetScrollY(
-            std::clamp(ImGui::GetScrollY() + pages_ * page, 0.0f, ImGui::GetScrollMaxY()));
-        stick_ = false;
-        pages_ = 0;
-    } else if (top_line_) {
-        const auto row = std::ranges::find(rows_, *top_line_, &Row::line);
-        ImGui::SetScrollY(static_cast<float>(row - rows_.begin()) * line_height);
-        top_line_.reset();
-        stick_ = false;
-    } else {
-        follow_output(line_height);
-    }
-}
-
-/// A view that is at the end follows new output. Of an error that is higher than the view, the
-/// message stays in sight.
-void LogView::follow_output(float line_height) {
-    const bool at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1;
-    const bool at_error = held_ && std::fabs(ImGui::GetScrollY() - *held_) < 1;
-    const bool fresh = std::exchange(followed_, wrapped_) != wrapped_;
-    if (!std::exchange(stick_, false) && !(fresh && at_error) && !at_end) return;
-    if (fresh || !at_error) held_ = fresh ? top_of_high_error(line_height) : std::nullopt;
-    if (held_)
-        ImGui::SetScrollY(*held_);
-    else
-        ImGui::SetScrollHereY(1.0f);
-}
-
-/// Where the last line begins if it is an error that is higher than the view.
-std::optional<float> LogView::top_of_high_error(float line_height) const {
-    auto row = rows_.end();
-    const LogLine* of = nullptr;
-    do {
-        if (row == rows_.begin()) return std::nullopt;
-        of = line((--row)->line);
-    } while (of != nullptr && (of->kind == LineKind::source || of->kind == LineKind::caret ||
-                               of->kind == LineKind::trace || !row->first));
-    const float top = static_cast<float>(row - rows_.begin()) * line_height;
-    const float high = static_cast<float>(rows_.end() - row) * line_height;
-    if (of == nullptr || of->kind != LineKind::error || high <= ImGui::GetWindowHeight())
-        return std::nullopt;
-    return top;
-}
-
 void LogView::draw(float height, float cell) {
     float line_height = ImGui::GetTextLineHeightWithSpacing();
     // Whole rows: the topmost one is not cut.
@@ -267,9 +220,14 @@ void LogView::draw(float height, float cell) {
     }
     ImGui::BeginChild("log", ImVec2(0, height));
     float width = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize;
+    const std::size_t columns = columns_;
     wrap(static_cast<std::size_t>(std::max(8.0f, std::floor(width / cell) - gutter)));
+    if (columns != columns_ || line_height != line_height_ || height != height_)
+        reshaped_to_ = place_after_reshaping(line_height, height);
+    height_ = height;
 
     ImVec2 origin = ImGui::GetCursorScreenPos();
+    if (reshaped_to_) origin.y += ImGui::GetScrollY() - *reshaped_to_;
     float total = static_cast<float>(rows_.size()) * line_height;
     // A few lines are placed at the bottom, next to the prompt.
     float slack = std::max(0.0f, height - total);
@@ -284,6 +242,11 @@ void LogView::draw(float height, float cell) {
         draw_row(rows_[static_cast<std::size_t>(i)],
                  ImVec2(origin.x, origin.y + static_cast<float>(i) * line_height), line_height,
                  cell);
+    if (const std::ptrdiff_t topmost = std::lround((top - origin.y) / line_height); !rows_.empty())
+        top_ = rows_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+                         topmost, 0, static_cast<std::ptrdiff_t>(rows_.size()) - 1))]
+                   .line;
+    at_end_ = reshaped_to_ ? at_end_ : ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1;
     scroll(line_height);
     cell_ = cell;
     line_height_ = line_height;

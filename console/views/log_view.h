@@ -52,6 +52,8 @@ class LogView {
     float cell() const { return cell_; }
     float line_height() const { return line_height_; }
     float scrolled() const { return scrolled_; }
+    /// The number of the topmost line that is seen.
+    std::uint64_t top_line() const { return top_; }
     /// Left end of the position below the last line.
     ImVec2 text_end() const { return text_end_; }
 
@@ -82,6 +84,7 @@ class LogView {
     void mark_row(std::uint64_t number, const Row& source);
     void scroll(float line_height);
     void follow_output(float line_height);
+    std::optional<float> place_after_reshaping(float line_height, float height);
     std::optional<float> top_of_high_error(float line_height) const;
     void mouse(ImVec2 origin, float line_height, float cell);
     /// Shows what is under the mouse: a link, a whole number, a file, a fold. Returns true if a
@@ -106,9 +109,12 @@ class LogView {
     float pages_ = 0;
     bool stick_ = true;
     std::optional<std::uint64_t> top_line_;
-    std::uint64_t followed_ = 0;  // lines with smaller numbers have been followed
-    std::optional<float> held_;   // the scroll position at which an error is held in sight
-    float cell_ = 0, line_height_ = 0, scrolled_ = 0;
+    std::uint64_t followed_ = 0;        // lines with smaller numbers have been followed
+    std::optional<float> held_;         // the scroll position at which an error is held in sight
+    std::optional<float> reshaped_to_;  // the scroll position after a change of sizes
+    std::uint64_t top_ = 0;             // the topmost line
+    bool at_end_ = true;
+    float cell_ = 0, line_height_ = 0, height_ = 0, scrolled_ = 0;
     ImVec2 text_end_{0, 0};
     // The link under the mouse.
     std::uint64_t link_line_ = 0;

@@ -48,6 +48,7 @@ std::optional<Message> AttachedGame::request(const Request& request) {
         return refused;
     }
     send(text);
+    stopped_ = false;
     while (std::optional<Message> message = next(true)) {
         if (message->kind == Message::Kind::answer || message->kind == Message::Kind::candidates)
             return message;
@@ -89,6 +90,8 @@ bool AttachedGame::receive(bool waits) {
         pollfd ready{.fd = socket_, .events = POLLIN, .revents = 0};
         const int count = ::poll(&ready, 1, waits ? poll_milliseconds : 0);
         if (EndRequest::signal() != 0) return false;
+        if (waits && EndRequest::Interrupts::arrived() && !std::exchange(stopped_, true))
+            send(text_of({.kind = Request::Kind::stop}));
         if (count > 0) break;
         if (!waits) return false;
     }

@@ -25,7 +25,7 @@ class AttachedGame {
     const std::string& name() const { return name_; }
 
     /// Sends a request and waits for its answer; none if the connection ends, or a signal asks the
-    /// program to end.
+    /// program to end. An interrupt ends a wait in the game.
     std::optional<Message> request(const Request& request);
     /// Prints the lines that the game has sent. Does not wait.
     void print_received();
@@ -38,6 +38,7 @@ class AttachedGame {
 
     std::function<void(const std::string&)> print_;
     int socket_;
+    bool stopped_ = false;  // the wait of the present request
     std::string in_, name_, reason_;
 };
 

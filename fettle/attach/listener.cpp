@@ -95,8 +95,8 @@ void Listener::frame() {
     began_ = now();
     accept_connections();
     if (connections_.empty()) return;
-    for (Connection& each : connections_) each.out += std::exchange(each.answer, {});
     receive_all();
+    end_waits();
     answer();
     send_all();
     drop_ungreeted();
@@ -262,9 +262,29 @@ void Listener::answer() {
     }
 }
 
+/// Sends the answers whose results have come. A terminal that waits may stop that.
+void Listener::end_waits() {
+    for (Connection& each : connections_) {
+        if (each.answer.empty()) continue;
+        const std::string who = name_of(each.number);
+        if (const std::string stop = text_of({.kind = Request::Kind::stop});
+            each.in.starts_with(stop)) {
+            each.in.erase(0, stop.size());
+            if (callbacks_.stop_waiting) callbacks_.stop_waiting(who);
+        }
+        std::optional<std::vector<std::string>> lines{std::in_place};
+        if (callbacks_.waited) lines = callbacks_.waited(who);
+        if (!lines) continue;
+        for (const std::string& line : *lines)
+            each.out += print_text(line.starts_with("✗") ? line : "  " + line);
+        each.out += std::exchange(each.answer, {});
+    }
+}
+
 /// Answers the next request, if there is a whole one, and one that may be begun in this frame.
 bool Listener::answer_next(Connection& to, Turn& turn) {
-    if (!to.greeted || to.ending || to.gone || to.out.size() > limits_.kept) return false;
+    if (!to.greeted || to.ending || to.gone || to.out.size() > limits_.kept || !to.answer.empty())
+        return false;
     const std::size_t end = to.in.find('\n');
     if (end == std::string::npos || end > longest_request) {
         if (to.in.size() <= longest_request) return false;
@@ -284,11 +304,12 @@ bool Listener::answer_next(Connection& to, Turn& turn) {
         refuse(to, "expected a line with {\"run\": …} or {\"complete\": …, \"cursor\": …}");
         return true;
     }
+    if (request->kind == Request::Kind::stop) return true;  // nothing waits
     std::string answer = answer_to(*request, to, turn);
     turn.bytes += answer.size();
     // Its results come before the next command, also in a replay.
     const bool later = request->kind == Request::Kind::run && callbacks_.answers_later &&
-                       callbacks_.answers_later();
+                       callbacks_.answers_later(name_of(to.number));
     turn.ends = turn.ends || later;
     (later ? to.answer : to.out) += answer;
     return true;

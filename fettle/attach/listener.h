@@ -7,6 +7,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,10 +47,13 @@ class Listener {
             complete;
         /// A terminal has attached.
         std::function<void(const std::string& what)> note;
-        /// Whether the last command has begun something whose results are printed before the next
-        /// frame, such as a search of the past. Its answer is sent then, after the results. May be
-        /// missing.
-        std::function<bool()> answers_later{};
+        /// Whether the last command, of this terminal, has begun something whose results are
+        /// printed before the next frame, such as a search of the past, or lets the terminal wait.
+        /// Its answer is sent then, after the results. May be missing.
+        std::function<bool(std::string_view who)> answers_later{};
+        /// None while the terminal waits; then lines about the end of the wait. May be missing.
+        std::function<std::optional<std::vector<std::string>>(std::string_view who)> waited{};
+        std::function<void(std::string_view who)> stop_waiting{};  // may be missing
         /// The present time in seconds, from any origin. Without it, the clock of the system is
         /// read.
         std::function<double()> now{};
@@ -103,6 +107,7 @@ class Listener {
     void drop_oldest_ungreeted();
     void receive(Connection& from);
     void greet(Connection& connection, std::string_view line);
+    void end_waits();
     void answer();
     bool answer_next(Connection& to, Turn& turn);
     std::string answer_to(const Request& request, const Connection& from, Turn& turn);

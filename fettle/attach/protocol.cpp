@@ -68,6 +68,7 @@ bool is_greeting(std::string_view line, std::string_view token) {
 
 std::string text_of(const Request& request) {
     if (request.kind == Request::Kind::run) return line_of({{"run", request.text}});
+    if (request.kind == Request::Kind::stop) return line_of({{"stop", true}});
     return line_of({{"complete", request.text}, {"cursor", request.cursor}});
 }
 

@@ -29,7 +29,8 @@ std::string greeting(std::string_view token);
 bool is_greeting(std::string_view line, std::string_view token);
 
 struct Request {
-    enum class Kind : std::uint8_t { run, complete } kind = Kind::run;
+    /// `stop`: the wait of the last command ends; it has no answer.
+    enum class Kind : std::uint8_t { run, complete, stop } kind = Kind::run;
     std::string text{};      // a command, or the beginning of one
     std::size_t cursor = 0;  // byte of the text, for completion
 };

@@ -13,10 +13,13 @@ using Json = nlohmann::json;
 /// Receives the tokens of one request. A function that returns false ends the reading.
 class RequestReader : public nlohmann::json_sax<Json> {
   public:
-    /// None if there was neither a command nor the beginning of one.
+    /// None if there was neither a command nor the beginning of one, nor a stop.
     std::optional<Request> request() && {
-        if (!run_ && !complete_) return std::nullopt;
         Request made;
+        if (!run_ && !complete_) {
+            made.kind = Request::Kind::stop;
+            return stop_ ? std::optional(made) : std::nullopt;
+        }
         made.kind = run_ ? Request::Kind::run : Request::Kind::complete;
         made.text = std::move(run_ ? *run_ : *complete_);
         made.cursor = std::min(cursor_, made.text.size());
@@ -24,7 +27,10 @@ class RequestReader : public nlohmann::json_sax<Json> {
     }
 
     bool null() override { return plain(); }
-    bool boolean(bool) override { return plain(); }
+    bool boolean(bool value) override {
+        if (name_ == "stop") stop_ = value;
+        return plain();
+    }
     bool number_integer(Json::number_integer_t) override { return plain(); }
     bool number_float(Json::number_float_t, const std::string&) override { return plain(); }
     bool number_unsigned(Json::number_unsigned_t value) override {
@@ -54,6 +60,7 @@ class RequestReader : public nlohmann::json_sax<Json> {
     bool plain() const { return inside_; }
 
     bool inside_ = false;  // the object has begun
+    bool stop_ = false;
     std::size_t members_ = 0, cursor_ = 0;
     std::string name_{};  // of the member that is read
     std::optional<std::string> run_{}, complete_{};

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -92,6 +93,13 @@ std::vector<LineEditor::Candidate> CommandLines::candidates(std::string_view lin
         if (c.replace_from >= before.size())
             found.push_back({std::move(c.text), std::move(c.label), std::move(c.detail),
                              c.replace_from - before.size()});
+    // The only one that begins with what is typed is meant, whatever else contains its letters.
+    const auto begins_so = [&](const LineEditor::Candidate& each) {
+        return each.replace_from < cursor &&
+               each.text.starts_with(line.substr(each.replace_from, cursor - each.replace_from));
+    };
+    if (std::ranges::count_if(found, begins_so) == 1)
+        std::erase_if(found, [&](const auto& each) { return !begins_so(each); });
     return found;
 }
 

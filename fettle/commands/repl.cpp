@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -89,8 +90,24 @@ class Repl : private CommandRunner {
         if (turns_ > 0 && EndRequest::Interrupts::arrived())
             print_line("✗ stopped: " + std::to_string(turns_) + " steps of advance were not made");
         turns_ = 0;
+        make_awaited_steps();
         last_ = Clock::now();
         return true;
+    }
+
+    /// Makes steps until what the command waits for has come, or the user stops that.
+    void make_awaited_steps() {
+        app::Loop& loop = session_.loop();
+        std::optional<std::vector<std::string>> lines = session_.waited();
+        for (; !lines; lines = session_.waited()) {
+            if (loop.stopped() || ended() || EndRequest::Interrupts::arrived()) {
+                session_.stop_waiting();
+                return print_line("✗ wait: stopped");
+            }
+            loop.turn();
+        }
+        for (const std::string& line : *lines)
+            print_line(line.starts_with("✗") ? line : "  " + line);
     }
 
     /// In a terminal, Ctrl+C stops the command with an error.

@@ -1,6 +1,8 @@
 #pragma once
 // The console of a session; it has none in a build without the console.
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +26,10 @@ struct Session::ConsoleLayer {
     void report(const script::ScriptError&) {}
     script::Evaluation evaluate(std::string_view) { return {}; }
     script::Evaluation answer_terminal(std::string_view, std::string_view) { return {}; }
+    std::optional<std::vector<std::string> > waited(std::string_view) {
+        return std::vector<std::string>();
+    }
+    void stop_waiting(std::string_view) {}
     void show_pause() {}
     void select(const std::vector<property::Handle>&) {}
     std::vector<property::Handle> selection() const { return {}; }

@@ -36,7 +36,10 @@ Listener::Callbacks Session::answers_of_terminals() {
                     return runtime_->complete(input, cursor, most_candidates);
                 },
             .note = [this](const std::string& what) { note(what); },
-            .answers_later = [this] { return console_ && console_->answers_later(); }};
+            .answers_later =
+                [this](std::string_view who) { return console_ && console_->answers_later(who); },
+            .waited = [this](std::string_view who) { return waited(who); },
+            .stop_waiting = [this](std::string_view who) { stop_waiting(who); }};
 }
 
 void Session::begin_to_listen() {

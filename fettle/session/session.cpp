@@ -372,6 +372,14 @@ script::Evaluation Session::evaluate(std::string_view command, std::string_view 
     return runtime_->evaluate(command);
 }
 
+std::optional<std::vector<std::string>> Session::waited(std::string_view who) {
+    return console_ ? console_->waited(who) : std::vector<std::string>();
+}
+
+void Session::stop_waiting(std::string_view who) {
+    if (console_) console_->stop_waiting(who);
+}
+
 void Session::add_layer(app::Layer& layer) {
     loop_->add(layer);
 }

@@ -78,6 +78,9 @@ class Session {
     /// Evaluates a command of a terminal, as the console does. `who`: the name of the terminal, for
     /// the console's log; "": the log gets nothing.
     script::Evaluation evaluate(std::string_view command, std::string_view who = {});
+    /// Whether that terminal waits, and how its wait has ended (console::Console::waited).
+    std::optional<std::vector<std::string>> waited(std::string_view who = {});
+    void stop_waiting(std::string_view who = {});
     /// Selects instances in the console; the last one becomes `it`.
     void select(const std::vector<property::Handle>& instances);
     /// The test, if the run is one; null otherwise.

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <attach/socket_address.h>
@@ -107,7 +108,13 @@ class Game {
                                                 .doc = {}});
                                     },
                                 .note = [this](const std::string& what) { notes.push_back(what); },
-                                .answers_later = [this] { return later; },
+                                .answers_later = [this](std::string_view) { return later; },
+                                .waited = [this](std::string_view) { return waited; },
+                                .stop_waiting =
+                                    [this](std::string_view who) {
+                                        stopped.emplace_back(who);
+                                        waited.emplace();
+                                    },
                                 .now = [this] { return clock += tick; }},
             limits);
     }
@@ -137,6 +144,9 @@ class Game {
 
     std::vector<std::string> commands, notes, asked;  // asked: the terminals, by their names
     bool later = false;                               // whether answers come in the next frame
+    // Lines about the end of a wait; none: the terminals wait.
+    std::optional<std::vector<std::string>> waited{std::in_place};
+    std::vector<std::string> stopped;  // terminals whose waits were stopped
     std::size_t completions = 0, lines_of_answer = 1;
     // A test must not depend on the time that the machine needs, so each look at the clock takes
     // the same time.

@@ -83,6 +83,48 @@ TEST_CASE("what a command finds later comes before its answer and before the nex
     CHECK(messages[2].lines == std::vector<std::string>{"  said next"});
 }
 
+TEST_CASE("a terminal that waits gets its answer afterwards and the others do not wait") {
+    Game game;
+    Client client = game.terminal(), other = game.terminal();
+    game.later = true;
+    game.waited.reset();
+    client.send(text_of({.text = "wait"}) + text_of({.text = "next"}));
+    game.frames(5);
+    game.later = false;
+    CHECK(game.commands == std::vector<std::string>{"wait"});
+    CHECK(client.receive().empty());
+    CHECK(answer_to(game, other, "2") == "  said 2");
+    game.waited = {"the end of it", "✗ a problem"};
+    game.frames();
+    const auto messages = client.receive();
+    REQUIRE(messages.size() == 4);
+    CHECK(messages[0].text == "  the end of it");
+    CHECK(messages[1].text == "✗ a problem");
+    CHECK(messages[2].lines == std::vector<std::string>{"  said wait"});
+    CHECK(messages[3].lines == std::vector<std::string>{"  said next"});
+    CHECK(game.stopped.empty());
+}
+
+TEST_CASE("a terminal may stop its wait") {
+    Game game;
+    Client client = game.terminal();
+    game.later = true;
+    game.waited.reset();
+    client.send(text_of({.text = "wait"}));
+    game.frames(2);
+    game.later = false;
+    client.send(text_of({.kind = Request::Kind::stop}));
+    game.frames(2);
+    CHECK(game.stopped == std::vector<std::string>{"terminal 1"});
+    REQUIRE(client.receive().size() == 1);
+    // Without a wait, it is not answered.
+    client.send(text_of({.kind = Request::Kind::stop}));
+    game.frames(2);
+    CHECK(client.receive().empty());
+    CHECK(game.stopped.size() == 1);
+    CHECK(answer_to(game, client, "next") == "  said next");
+}
+
 TEST_CASE("only this user can read the token and enter the folder") {
     Game game;
     CHECK(mode_of(game.place().file) == 0600);

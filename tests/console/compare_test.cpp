@@ -118,6 +118,110 @@ TEST_CASE_METHOD(CompareRig, "what the pictures of both runs lack has an outline
     CHECK(surface.triangle_count() > before + 80);  // a dot has fewer than 40 on each side
 }
 
+namespace {
+
+/// The same, with a disc at the place of `world.lamp` whose color depends on the mass of the ball:
+/// green while it is 1.
+struct LampRig : CompareRig {
+    property::Handle lamp;
+
+    LampRig() {
+        property::ClassDescriptor kind{.name = "Lamp"};
+        kind.properties = {{.name = "position", .type = property::Type::vec2}};
+        kind.lifecycle.draw = [](void*, const property::Tree& all, property::Handle self,
+                                 property::Row, property::Painter& painter, double) {
+            const Value mass = property::get(all, "world.ball.mass");
+            const property::Color fill =
+                mass == Value(1.0) ? property::Color{0, 1, 0, 1} : property::Color{1, 0, 0, 1};
+            painter.circle(all.get(self, "position").vec2(), 2, {.fill = fill, .border = fill});
+        };
+        lamp = tree.create(tree.define(std::move(kind)), tree.child(tree.root(), "world"), "lamp");
+    }
+    struct Lit {
+        std::size_t green = 0, red = 0;
+    };
+    /// The pixels of these colors in the left or the right half of the window.
+    Lit lit(bool right) {
+        Lit found;
+        const auto wide = static_cast<std::size_t>(surface.width());
+        for (std::size_t i = 0; i < surface.pixels().size(); ++i) {
+            if ((i % wide >= wide / 2) != right) continue;
+            const auto& p = surface.pixels()[i];
+            found.green += p[1] > 250 && p[0] < 5 && p[2] < 5;
+            found.red += p[0] > 250 && p[1] < 5 && p[2] < 5;
+        }
+        return found;
+    }
+};
+
+}  // namespace
+
+TEST_CASE_METHOD(LampRig, "both runs show the colors and shapes of their own moments") {
+    runs().request_change("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    CHECK(value("world.ball.mass") == Value(1.0));
+    draw(3);
+    save("compare_looks");
+    CHECK(lit(false).green > 500);
+    CHECK(lit(false).red == 0);
+    CHECK(lit(true).red > 500);
+    CHECK(lit(true).green == 0);
+    CHECK(logged("world.ball by 2.00 m; 1 looks different"));
+    // A lamp that is not there any more was there then.
+    tree.destroy(lamp);
+    draw(3);
+    CHECK(lit(true).red > 500);
+    CHECK(lit(false).green > 500);
+}
+
+TEST_CASE_METHOD(LampRig, "drawings that are the same at many moments are kept once") {
+    runs().request_change("world.crate.mass", Value(3.0), 1);
+    console.between_frames();
+    REQUIRE(runs().a().size() == 61);
+    const auto& a = *runs().a().back().items;
+    const auto& b = *runs().b().front().items;
+    REQUIRE(a.size() == b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i].drawing == b[i].drawing);
+    CHECK(runs().a().back().items == runs().a().front().items);
+}
+
+TEST_CASE_METHOD(LampRig, "figures beyond the limit look as the last ones that are kept") {
+    const std::size_t before = console::DrawnPast::most_figures;
+    console::DrawnPast::most_figures = 1;
+    runs().request_change("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    console::DrawnPast::most_figures = before;
+    CHECK(runs().shown());
+    draw(3);
+    CHECK(surface.faults() == 0);
+}
+
+TEST_CASE_METHOD(CompareRig, "both runs show the part of the world that was seen then") {
+    state().options.to_world = [this](float x, float y) {
+        return Vec2((x - 640) / 40 + static_cast<double>(tree.step()), (400 - y) / 40);
+    };
+    runs().request_change("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    CHECK(runs().a().front().seen.center.x == Approx(40));
+    CHECK(runs().a().back().seen.center.x == Approx(100));
+    CHECK(runs().b().front().seen.center.x == Approx(40));
+}
+
+TEST_CASE_METHOD(PictureRig, "a picture that the game replaces is shown as it was") {
+    runs().request_change("world.ball.mass", Value(3.0), 1);
+    console.between_frames();
+    image.replace(2, 1, {0, 0, 0, 255, 0, 0, 0, 255});
+    draw(3);
+    CHECK(magenta() > 100);
+    // A frame in which the comparison ends still draws what it has begun.
+    const ImVec2 close = state().views.compare_view.close_button().middle();
+    click(close.x, close.y);
+    draw(2);
+    CHECK_FALSE(runs().shown());
+    CHECK(surface.faults() == 0);
+    CHECK(magenta() == 0);
+}
+
 TEST_CASE_METHOD(PictureRig, "the pictures of both runs are drawn on a surface that changes") {
     runs().request_change("world.ball.mass", Value(3.0), 1);
     console.between_frames();
@@ -336,7 +440,7 @@ struct TwoBranches : CompareRig {
 
 }  // namespace
 
-TEST_CASE("a property that differs in many instances is one line") {
+TEST_CASE("a property that differs in many instances has three lines") {
     Rig rig;
     const console::NotedValues a(rig.tree);
     const property::Handle world = rig.tree.child(rig.tree.root(), "world");
@@ -344,9 +448,18 @@ TEST_CASE("a property that differs in many instances is one line") {
         rig.tree.set(rig.tree.child(world, name), "mass", Value(7.0));
     rig.tree.create(rig.tree.class_named("Body"), world, "late");
     const auto lines = differences(rig.tree, a, console::NotedValues(rig.tree));
-    REQUIRE(lines.size() == 2);
-    CHECK(lines[0] == "world.ball.mass: A 1 kg, B 7 kg; and in 1 other");
-    CHECK(lines[1] == "world.late: in B only");
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[0] == "world.ball.mass: A 1 kg, B 7 kg");
+    CHECK(lines[1] == "world.crate.mass: A 1 kg, B 7 kg");
+    CHECK(lines[2] == "world.late: in B only");
+    for (int i = 0; i < 4; ++i)
+        rig.tree.create(rig.tree.class_named("Body"), world, "more" + std::to_string(i));
+    const console::NotedValues c(rig.tree);
+    for (const property::Handle each : rig.tree.children(world))
+        rig.tree.set(each, "lives", Value(9));
+    const auto many = differences(rig.tree, c, console::NotedValues(rig.tree));
+    REQUIRE(many.size() == 3);
+    CHECK(many[2] == "world.floor.lives: A 3, B 9; and in 5 others");
 }
 
 TEST_CASE_METHOD(

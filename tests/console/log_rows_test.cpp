@@ -35,6 +35,49 @@ TEST_CASE(
     CHECK(rig.state().views.log_view.shown_rows().back().starts_with("bbb"));
 }
 
+TEST_CASE("the log is seen in the first frame after a change of the size of the text") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(3);
+    for (int i = 0; i < 200; ++i) rig.console.print("line " + std::to_string(i) + " of the game");
+    const auto scale = [&](double factor) {
+        property::set(rig.tree, "console.scale", property::Value(factor));
+    };
+    const auto letters = [&] {
+        rig.surface.clear();
+        rig.draw();
+        return rig.surface.triangle_count();
+    };
+    scale(2);
+    rig.draw(5);
+    const std::uint64_t large = rig.state().views.log_view.top_line();
+    scale(1);
+    const std::size_t first = letters();
+    rig.draw(5);
+    CHECK(first > letters() * 9 / 10);
+    const std::uint64_t small = rig.state().views.log_view.top_line();
+    CHECK(small < large);
+    scale(2);
+    rig.draw(5);
+    CHECK(rig.state().views.log_view.top_line() == large);
+    // Away from the end, the topmost line stays.
+    scale(1);
+    rig.draw(5);
+    for (int i = 0; i < 3; ++i) {
+        rig.key("page_up");
+        rig.draw(2);
+    }
+    const std::uint64_t top = rig.state().views.log_view.top_line();
+    CHECK(top < small);
+    for (const double factor : {2.0, 1.0, 1.5, 1.0}) {
+        scale(factor);
+        rig.draw();
+        CHECK(rig.state().views.log_view.top_line() == top);
+        rig.draw(4);
+        CHECK(rig.state().views.log_view.top_line() == top);
+    }
+}
+
 TEST_CASE("a column that begins beyond the middle of the log is shown in rows of its own") {
     Rig rig;
     rig.key("grave");

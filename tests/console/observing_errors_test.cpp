@@ -108,6 +108,7 @@ TEST_CASE("a pin of an instance whose deletion is undone has its value at once")
 
 TEST_CASE("a word of the console alone lists what there is") {
     ObservingRig rig;
+    rig.step(9);
     const auto answer = [&](const std::string& command) {
         std::string all;
         for (const std::string& line : rig.lua.evaluate(command).lines) all += line + "|";
@@ -130,6 +131,14 @@ TEST_CASE("a word of the console alone lists what there is") {
     CHECK(answer("bind") == "f5  rewind(5)|");
     CHECK(answer("aliases") == "g  world.gravity|");
     CHECK(answer("binds().f5 .. aliases().g") == "\"rewind(5)world.gravity\"|");
+    // There is nothing to go to at other steps.
+    for (const char* step : {"10", "1e9", "-1"})
+        rig.run(std::string("bookmark('there', ") + step + ")");
+    CHECK(answer("bookmarks") == "step 7  here|");
+    CHECK(rig.text().find("bookmark: step 10 is not kept: those from 0 to 9 are") !=
+          std::string::npos);
+    CHECK(rig.text().find("bookmark: step 1000000000 is not kept") != std::string::npos);
+    CHECK(rig.text().find("bookmark: step -1 is not kept") != std::string::npos);
     // A variable of the game is not such a word.
     rig.run("bind = 7");
     CHECK(answer("bind") == "7|");

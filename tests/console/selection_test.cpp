@@ -180,6 +180,8 @@ TEST_CASE("different values are shown as mixed") {
     CHECK(mixed.text(tree, position, tree.get(ball, position)) == "mixed: x 1 to 5, y -4 m");
     tree.set(crate, "position", Value(Vec2(1, 8)));
     CHECK(mixed.text(tree, position, tree.get(ball, position)) == "mixed: x 1, y -4 to 8 m");
+    tree.set(crate, "position", Value(Vec2(1 + 1e-9, 7e-6)));
+    CHECK(mixed.text(tree, position, tree.get(ball, position)) == "mixed: x about 1, y -4 to 0 m");
     const property::Property& label = tree.property(ball, "label");
     tree.set(crate, "label", Value("x"));
     CHECK(mixed.text(tree, label, tree.get(ball, label)) == "mixed");

@@ -101,6 +101,89 @@ TEST_CASE("a search and a file of commands are answered later") {
     CHECK_FALSE(rig.lua.answers_later());
 }
 
+TEST_CASE("a terminal waits for a condition or a time or a pause") {
+    ObservingRig rig;
+    double seconds = 0;
+    rig.lua.state().waits.clock = [&] { return seconds; };
+    const std::string who = "terminal 3";
+    const auto ended = [&]() -> std::string {
+        const auto lines = rig.lua.waited(who);
+        if (!lines) return "waits";
+        std::string all;
+        for (const std::string& line : *lines) all += line + "|";
+        return all;
+    };
+    CHECK(ended() == "");  // it has been told nothing
+    CHECK(asked(rig, "wait world.ball.position.x > 4") == "");
+    CHECK(rig.lua.answers_later(who));
+    CHECK_FALSE(rig.lua.answers_later("terminal 1"));
+    rig.step(4);
+    CHECK(ended() == "waits");
+    rig.step(3);  // also if it is true for one step only
+    CHECK(ended() == "world.ball.position.x > 4 is true at step 5|");
+    CHECK_FALSE(rig.lua.answers_later(who));
+    CHECK(ended() == "");
+    // A condition that is true already, and one that is no boolean.
+    asked(rig, "wait world.ball.position.x > 4");
+    rig.lua.between_frames();
+    CHECK(ended() == "world.ball.position.x > 4 is true at step 7|");
+    asked(rig, "wait world.ball.mass");
+    rig.step(2);
+    CHECK(ended() == "waits");
+    rig.run("world.ball.mass = 9");
+    CHECK(ended() == "world.ball.mass has changed at step 9|");
+    // A time.
+    asked(rig, "wait 2.5");
+    rig.lua.between_frames();
+    seconds = 2.4;
+    rig.lua.between_frames();
+    CHECK(ended() == "waits");
+    seconds = 2.5;
+    rig.lua.between_frames();
+    CHECK(ended() == "");
+    asked(rig, "wait('world.ball.mass > 99', 3)");
+    seconds = 6;
+    rig.step();
+    CHECK(ended() == "✗ wait: after 3 s world.ball.mass > 99 is still false|");
+    // A pause, and a condition that cannot become true while the game stands.
+    asked(rig, "break_when world.ball.position.x > 11");
+    asked(rig, "wait()");
+    rig.step();
+    CHECK(ended() == "waits");
+    rig.step(5);
+    CHECK(ended() == "the game is paused at step 12|");
+    asked(rig, "wait world.ball.position.x > 20");
+    rig.lua.between_frames();
+    CHECK(ended() ==
+          "✗ wait: the game is paused at step 12: world.ball.position.x > 20 is still false|");
+    asked(rig, "wait 1");
+    rig.lua.stop_waiting(who);
+    CHECK(ended() == "");
+}
+
+TEST_CASE("a wait that cannot be is an error") {
+    ObservingRig rig;
+    CHECK(asked(rig, "wait(-1)").find("wait: expected a time from 0 to 3600 s") !=
+          std::string::npos);
+    CHECK(asked(rig, "wait('world.ball.mass > 1', {})").find("wait: expected a time") !=
+          std::string::npos);
+    CHECK_FALSE(rig.lua.answers_later("terminal 3"));
+    asked(rig, "wait world.bal.mass > 1");
+    const auto lines = rig.lua.waited("terminal 3");
+    REQUIRE(lines);
+    REQUIRE(lines->size() == 1);
+    CHECK(lines->front().starts_with("✗ wait world.bal.mass > 1: world.bal: no such name"));
+    // In the window, the next command is typed when the person wants.
+    rig.run("wait(1)");
+    CHECK(rig.text().find("works inside a coroutine") != std::string::npos);
+    bool halted = true;
+    rig.lua.state().waits.halted = [&] { return halted; };
+    asked(rig, "wait()");
+    rig.lua.between_frames();
+    CHECK(rig.lua.waited("terminal 3") ==
+          std::vector<std::string>{"the game stands after an error at step 0"});
+}
+
 TEST_CASE("a selection and the end of a comparison and a replay are answered in a terminal") {
     ObservingRig rig;
     rig.step(200);
@@ -138,9 +221,12 @@ TEST_CASE("go_on lets a game go on that stands after an error or is paused") {
         return lines.empty() ? std::string() : lines.front();
     };
     CHECK(answer("go_on()") == "the game goes on from step 7");
+    rig.lua.between_frames();
     CHECK_FALSE(halted);
     CHECK(rig.value("time.paused") == property::Value(false));
     CHECK(answer("go_on()") == "the game runs already");
+    // It is no edit.
+    CHECK(answer("undo") == "undo: time.paused = true");
 }
 
 }  // namespace terminal_test

@@ -111,6 +111,21 @@ TEST_CASE("a piped command ends with what it finds after its answer") {
     CHECK(contains(outcome.out, "✗ last_time world.nothing: world.nothing: no such name"));
 }
 
+TEST_CASE("piped commands wait for a condition and for a break and for a time") {
+    Listening running({"--listen"});
+    REQUIRE(running.ready());
+    const Outcome outcome =
+        attached(running.folder,
+                 "restart()\nwait 0.1\nwait world.ball.position.y < 49\nwait world.nothing\n"
+                 "break_when world.ball.position.y < 40\nwait()\nworld.ball.position.y\n");
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "  world.ball.position.y < 49 is true at step "));
+    CHECK(contains(outcome.out, "✗ wait world.nothing: world.nothing: no such name"));
+    CHECK(contains(outcome.out, "  the game is paused at step "));
+    CHECK(contains(outcome.out, "\n  39."));
+}
+
 TEST_CASE("a property of the console opens and closes the connection for terminals") {
     Listening running({"--eval", "console.listen = true"});
     REQUIRE(running.ready());

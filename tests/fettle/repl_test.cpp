@@ -104,6 +104,26 @@ class Terminal {
 
 }  // namespace
 
+TEST_CASE("wait makes the steps of a game without a window") {
+    const Folder folder;
+    folder.write("drop/main.lua",
+                 "world.ball = Body { position = vec(0, 50), Circle { radius = 1 } }");
+    const Outcome outcome =
+        repl(folder,
+             "wait world.ball.position.y < 49\ntime.step\nwait 0.5\ntime.step\n"
+             "wait('world.ball.position.y > 60', 0.25)\n"
+             "break_when world.ball.position.y < 30\nwait()\nworld.ball.position.y\n",
+             {(folder / "drop").string()});
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 0);
+    CHECK(contains(outcome.out, "  world.ball.position.y < 49 is true at step 27\n  27\n"));
+    CHECK(contains(outcome.out, "\n  57\n"));
+    CHECK(
+        contains(outcome.out, "✗ wait: after 0.25 s world.ball.position.y > 60 is still false\n"));
+    CHECK(contains(outcome.out, "  the game is paused at step "));
+    CHECK(contains(outcome.out, "\n  29."));
+}
+
 TEST_CASE("an alias stands for a command also in the terminal") {
     Folder folder;
     const Outcome done = repl(folder,

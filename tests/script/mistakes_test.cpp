@@ -121,7 +121,8 @@ TEST_CASE("what beginners type at the console is answered by what they may have 
         {"world.stage.ball.tint = rgb(255, 0, 0)", "(write color(r, g, b) with numbers"},
         {"world.stage.ball:parent()", "(write .parent without brackets: it is a property)"},
         {"save", "(write save_game(\"name\"))"},
-        {"play", "(write time.paused = false)"},
+        {"play", "(write go_on())"},
+        {"resume", "(write go_on())"},
     }));
     INFO(typed);
     const Evaluation answer = s.runtime->evaluate(typed);

@@ -68,6 +68,52 @@ TEST_CASE_METHOD(Failing, "an edit after the failure is there when the step is m
     CHECK(get("world.ball.circle.restitution").number() == Approx(0.7));
 }
 
+TEST_CASE_METHOD(Failing,
+                 "an edit in the step before the failure survives going back and returning") {
+    play(39);
+    runtime->run("bad = true", "test");
+    console("world.ball.circle.restitution = 0.7");
+    for (int i = 0; i < 3; ++i) loop->turn();
+    REQUIRE(errors.size() == 1);
+    runtime->run("bad = false", "test");
+    const auto edited = [&] { return get("world.ball.circle.restitution").number() > 0.6; };
+    CHECK(edited());
+    SECTION("to the newest step") {
+        time().go_to(20);
+        CHECK_FALSE(edited());
+        time().go_to(time().newest());
+        CHECK(services.clock.step == 39);
+        CHECK(edited());
+        CHECK(get("world.ball.count") == Value(39));  // and nothing of the failed step
+    }
+    SECTION("to its branch") {
+        time().go_to(20);
+        loop->resume();
+        for (int i = 0; i < 5; ++i) loop->turn();
+        CHECK_FALSE(edited());
+        time().switch_to("1");
+        CHECK(edited());
+        CHECK(get("world.ball.count") == Value(39));
+    }
+    SECTION("when the step is made again") {
+        CHECK(loop->retry());
+        CHECK(edited());
+        loop->turn();
+        CHECK(services.clock.step == 40);
+        CHECK(edited());
+    }
+    SECTION("when the game goes on after the failed step") {
+        loop->resume();
+        console("world.ball.circle.restitution = 0.9");
+        loop->turn();
+        const std::uint64_t now = loop->hash();
+        for (int i = 0; i < 5; ++i) loop->turn();
+        time().go_to(41);
+        CHECK(loop->hash() == now);
+        CHECK(get("world.ball.circle.restitution").number() == Approx(0.9));
+    }
+}
+
 TEST_CASE_METHOD(Failing, "a game may also go on after the failed step") {
     fail_at_40();
     loop->resume();

@@ -168,7 +168,10 @@ TEST_CASE("instances that are made and deleted and renamed later can still be ke
     const Lines problems = game.tweaks.keep("**").problems;
     REQUIRE(problems.size() == 1);
     CHECK(problems[0].starts_with("world.c: a name or parent that a script gives cannot be kept"));
-    CHECK(game.list() == Lines(all.begin() + 2, all.end()));
+    // The file has what was kept, at every moment.
+    CHECK(sorted(game.list()) == sorted({all[0] + ", kept", all[1] + ", kept", all[2]}));
+    for (const Tweak& each : game.tweaks.list())
+        if (each.kept) CHECK(each.kept_in == "main.tweaks.json");
     const std::string file = game.kept_file();
     INFO(file);
     CHECK(file.find("\"world.lamp\": {") != std::string::npos);
@@ -246,6 +249,25 @@ TEST_CASE("what was kept before its moment is listed with its file at its moment
     CHECK(game.tweaks.list()[0].kept_in == "main.tweaks.json");
 }
 
+TEST_CASE("what was kept at a moment that was left stays listed with its file") {
+    Tweaked game;
+    game.run(4);
+    game.person([&] { game.make("lamp"); });
+    game.run(5);
+    CHECK(game.tweaks.keep("**").count == 1);
+    const Lines kept{"world.lamp: nothing → new Body, kept"};
+    for (const std::int64_t step : {2, 8, 3, 9}) {
+        game.time().go_to(step);
+        CHECK(game.list() == kept);
+        CHECK(game.tweaks.list()[0].kept_in == "main.tweaks.json");
+    }
+    game.time().go_to(2);
+    game.run(2);  // another branch
+    CHECK(game.list() == kept);
+    game.person([&] { game.make("lamp"); });
+    CHECK(game.list() == Lines{"world.lamp: nothing → new Body"});
+}
+
 TEST_CASE("an edit of an instance that is renamed later is kept at the path of this moment") {
     Tweaked game;
     game.run(4);
@@ -282,7 +304,7 @@ TEST_CASE("an instance that is made anew takes the place of one that was left be
     CHECK(game.tweaks.keep("**").count == 1);
 }
 
-TEST_CASE("a deletion that was kept is not listed before it and can be kept again") {
+TEST_CASE("a deletion that was kept is listed as kept before it and can be kept again") {
     Tweaked game;
     game.run(4);
     const auto remove_wall = [&] {
@@ -291,14 +313,19 @@ TEST_CASE("a deletion that was kept is not listed before it and can be kept agai
     remove_wall();
     game.run(5);
     CHECK(game.tweaks.keep("**").count == 1);
-    CHECK(game.list() == Lines{"world.wall: a Body → deleted, kept"});
+    const Lines kept{"world.wall: a Body → deleted, kept"};
+    CHECK(game.list() == kept);
     game.time().go_to(3);
-    CHECK(game.list().empty());
+    CHECK(game.list() == kept);
+    CHECK_FALSE(game.tweaks.list()[0].earlier);
+    CHECK(game.tweaks.drop("**").count == 0);
     remove_wall();  // as in the file
-    CHECK(game.list() == Lines{"world.wall: a Body → deleted, kept"});
+    CHECK(game.list() == kept);
     game.time().go_to(3);
     game.edit("world.wall.gravity_scale", 2);
-    CHECK(game.list().size() == 2);
+    CHECK(game.list().size() == 2);  // that, and the wall that is back
+    CHECK(game.list()[0] != kept[0]);
+    CHECK(game.list()[1] != kept[0]);
     CHECK(game.tweaks.keep("**").problems == Lines{});
     CHECK(game.kept_file().find("\"deleted\"") == std::string::npos);
     CHECK(game.kept_file().find("\"world.wall.gravity_scale\": 2") != std::string::npos);

@@ -8,6 +8,7 @@
 
 #include <fettle/app/filled_box.h>
 #include <fettle/property/drawing.h>
+#include <fettle/property/earlier_writer.h>
 #include <fettle/property/utf8.h>
 
 #include <loop/tint_painter.h>
@@ -36,16 +37,13 @@ constexpr std::array<Color, 10> colors{{{0.95f, 0.45f, 0.35f, 1},
                                         {0.6f, 0.62f, 0.15f, 1}}};
 constexpr std::string_view physics = "physics", unknown = "unknown", others = "others";
 
-/// Sets `latest` to the last write of the properties of an instance, unless `latest` is later.
-void find_latest_write(const Tree& tree, Handle instance, property::Provenance& latest) {
-    const auto look = [&](const property::Property& each) {
-        if (each.read_only || each.transient) return;
-        const property::Provenance provenance = tree.last_writer(instance, each);
-        if (!provenance.known || provenance.cause.writer == Writer::simulation) return;
-        if (!latest.known || provenance.cause.step >= latest.cause.step) latest = provenance;
-    };
-    for (const property::Property* each : tree.class_of(instance).properties()) look(*each);
-    for (const property::Property* each : tree.ad_hoc(instance)) look(*each);
+using LatestWrites = std::unordered_map<std::uint64_t, property::Provenance>;
+
+/// Sets `latest` to the last write of an instance, unless `latest` is later.
+void find_latest_write(const LatestWrites& writes, Handle instance, property::Provenance& latest) {
+    const auto found = writes.find(instance.key());
+    if (found == writes.end()) return;
+    if (!latest.known || found->second.cause.step >= latest.cause.step) latest = found->second;
 }
 
 bool is_moved(const Tree& tree, Handle instance) {
@@ -58,10 +56,10 @@ bool is_moved(const Tree& tree, Handle instance) {
     return !is_static && awake.is(property::Type::boolean) && awake.boolean();
 }
 
-std::string writer_of(const Tree& tree, Handle instance, double dt) {
+std::string writer_of(const Tree& tree, const LatestWrites& writes, Handle instance, double dt) {
     property::Provenance latest;
-    find_latest_write(tree, instance, latest);
-    tree.each_below(instance, [&](Handle below) { find_latest_write(tree, below, latest); });
+    find_latest_write(writes, instance, latest);
+    tree.each_below(instance, [&](Handle below) { find_latest_write(writes, below, latest); });
     const auto second = static_cast<std::uint64_t>(std::max(1.0, 1 / std::max(dt, 1e-6)));
     const bool recent = latest.known && latest.cause.step + second > tree.step() &&
                         latest.cause.step <= tree.step();
@@ -107,12 +105,13 @@ std::map<std::string, Color> colors_of(const Legend& legend) {
 
 std::vector<InstanceWriter> instance_writers(const Tree& tree, double dt) {
     std::vector<InstanceWriter> all;
+    const LatestWrites writes = property::latest_writes(tree);
     const auto visit = [&](const auto& self, Handle top) -> void {
         for (Handle each = tree.first_child(top); each; each = tree.next_sibling(each)) {
             const property::Property* const position = tree.find(each, "position");
             if (position != nullptr &&
                 (position->type == property::Type::vec2 || position->any_type))
-                all.push_back({each, writer_of(tree, each, dt)});
+                all.push_back({each, writer_of(tree, writes, each, dt)});
             else
                 self(self, each);
         }

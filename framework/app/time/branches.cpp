@@ -158,12 +158,13 @@ void Timeline::forget_branch(const std::string& branch) {
 
 /// The present branch becomes `other`, and `other` what the present one was.
 void Timeline::exchange_with(Other& other) {
+    drop_broken();
     std::swap(clock_.branch, other.name);
     std::swap(named_, other.named);
     std::swap(keyframes_, other.keyframes);
     std::swap(steps_, other.steps);
     std::swap(tail_, other.tail);
-    edits_ = failure_.broken = {};
+    edits_ = {};
     failure_.step = -1;
     bytes_.logged = bytes_.logged_since = 0;
     for (const auto& step : steps_) {

@@ -171,14 +171,16 @@ void Timeline::save_changes() {
     note_jump();
     if (log_ == nullptr) return;
     Step& since = place_.here == newest() ? tail_ : edits_;
-    note(since, since.before.emplace_back());
     // Time and random numbers after a step that failed are those of that step.
-    if (!failure_.broken.before.empty()) since.before.back().changes.clear();
+    const bool failed = std::ranges::any_of(tail_.before, &Piece::broken);
+    note(since, since.before.emplace_back());
+    if (failed) since.before.back().changes.clear();
     if (too_much(since)) restart();
 }
 
 void Timeline::travel(std::int64_t step) {
-    edits_ = failure_.broken = {};
+    edits_ = {};
+    drop_broken();
     failure_.step = -1;
     const auto frame =
         std::prev(std::upper_bound(keyframes_.begin(), keyframes_.end(), step,
@@ -200,8 +202,7 @@ void Timeline::replay(const Keyframe& frame, std::int64_t step,
                 for (const Piece& piece : edits_.before) redo(piece);
                 return;
             }
-            for (const Step* each : {&failure_.broken, &tail_})
-                for (const Piece& piece : each->before) redo(piece);
+            for (const Piece& piece : tail_.before) redo(piece);
         });
     } catch (...) {
         // The tree has changed and its state is unknown; without `arrived` nothing has changed.

@@ -66,7 +66,7 @@ void Timeline::drop_all() {
     keyframes_.clear();
     steps_.clear();
     others_.clear();
-    tail_ = edits_ = failure_.broken = {};
+    tail_ = edits_ = {};
     bytes_.logged = bytes_.logged_since = 0;
     pace_.spacing = min_spacing;
     clock_.oldest = clock_.newest = clock_.step;
@@ -117,8 +117,9 @@ void Timeline::begin_step() {
         keep_branch();
         drop_after(place_.here);
         tail_ = std::exchange(edits_, {});
-        failure_.broken = {};
     }
+    // If the step fails, the edits before it are no part of it.
+    if (log_->any()) note(tail_, tail_.before.emplace_back());
     open_ = {};
 }
 
@@ -126,10 +127,7 @@ void Timeline::modules_step(double dt) {
     if (!place_.stepping) return;
     // The changes of a step that failed belong to the next step, unless the game went back in
     // between.
-    open_ = std::move(failure_.broken);
-    for (Piece& piece : tail_.before) open_.before.push_back(std::move(piece));
-    open_.bytes += tail_.bytes;
-    tail_ = failure_.broken = {};
+    open_ = std::exchange(tail_, {});
     open_.dt = dt;
     note(open_, open_.before.emplace_back());
 }
@@ -159,10 +157,11 @@ void Timeline::leave_step() {
     place_.in_step = false;
     const bool broken = std::exchange(place_.stepping, false);
     if (log_ == nullptr || (!broken && failure_.step != clock_.step)) return;
-    Step& of = broken ? failure_.broken : tail_;
-    note(of, of.before.emplace_back());
+    Piece& piece = tail_.before.emplace_back();
+    note(tail_, piece);
+    piece.broken = broken;
     failure_.pieces = tail_.before.size();
-    if (too_much(of)) restart();
+    if (too_much(tail_)) restart();
 }
 
 void Timeline::note_failure() {
@@ -187,12 +186,21 @@ bool Timeline::go_before_failure() {
 
 void Timeline::note(Step& of, Piece& piece) {
     piece.writes = log_->take();
-    of.bytes += sizeof piece + piece.writes.memory();
+    piece.bytes = sizeof piece + piece.writes.memory();
     for (property::SnapshotPart* part : tree_.parts())
         if (property::Memory changes = part->changes()) {
-            of.bytes += part->size_of(changes);
+            piece.bytes += part->size_of(changes);
             piece.changes.emplace_back(part, std::move(changes));
         }
+    of.bytes += piece.bytes;
+}
+
+/// Drops what steps have written that an error ended early.
+void Timeline::drop_broken() {
+    std::erase_if(tail_.before, [this](const Piece& piece) {
+        if (piece.broken) tail_.bytes -= piece.bytes;
+        return piece.broken;
+    });
 }
 
 /// Drops the changes of the parts up to now, so that the next changes begin here.
@@ -275,7 +283,7 @@ void Timeline::note_jump() {
     else
         drop_after(step - 1);
     if (log_ == nullptr) begin_log();
-    tail_ = edits_ = failure_.broken = {};
+    tail_ = edits_ = {};
     failure_.step = -1;
     place_.here = step;
     take_keyframe();
@@ -370,8 +378,8 @@ std::size_t Timeline::forgotten() const {
 }
 
 std::size_t Timeline::memory() const {
-    std::size_t sum = bytes_.logged + tail_.bytes + edits_.bytes + failure_.broken.bytes +
-                      (log_ != nullptr ? log_->memory() : 0);
+    std::size_t sum =
+        bytes_.logged + tail_.bytes + edits_.bytes + (log_ != nullptr ? log_->memory() : 0);
     for (const Keyframe& frame : keyframes_) sum += frame.memory();
     for (const Other& other : others_) sum += other.memory();
     if (keyframes_.empty()) return sum;

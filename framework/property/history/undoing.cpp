@@ -133,8 +133,7 @@ UndoResult History::run(Transaction& transaction, bool back) {
     // A module may clear a reference when its target is deleted, so all references are collected
     // before.
     const References references(*this, transaction.steps.size() > 1);
-    // Values of instances that this step makes or deletes are not listed: there may be many of
-    // them, and they are in no path of the tree.
+    // Values of instances that this step makes are those at their deletion, all of one moment.
     std::unordered_set<std::uint32_t> created_tops;
     for (const EditStep& step : transaction.steps)
         if (const auto* made = std::get_if<ExistenceEdit>(&step); made != nullptr && made->birth)
@@ -148,17 +147,13 @@ UndoResult History::run(Transaction& transaction, bool back) {
     };
     InstanceChanges instances(tree_, transaction);
     const auto one = [&](EditStep& step) {
-        const bool silent = is_born(step);
-        const std::size_t listed = result.changes.size(), more = result.more_changes;
+        if (is_born(step)) return;
         try {
             std::visit([&](auto& what) { apply(what, back, result); }, step);
         } catch (...) {  // the rest is undone all the same
             instances_.keep_slots = false;
             result.notes.push_back(exception_text());
         }
-        if (!silent) return;
-        result.changes.resize(listed);
-        result.more_changes = more;
     };
     if (back)
         for (auto step = transaction.steps.rbegin(); step != transaction.steps.rend(); ++step)

@@ -3,6 +3,10 @@
 #include <fettle/property/earlier_writer.h>
 #include <fettle/property/located_writes.h>
 
+#include <span>
+#include <unordered_set>
+#include <vector>
+
 #include "state.h"
 
 namespace fettle::property {
@@ -65,6 +69,89 @@ void Tree::forget_writers_after(std::uint64_t step) {
     state_->changes.writes.forget_after(step);
 }
 
+namespace {
+
+/// Whether the simulation may have changed a value that was written last by `written`. It reports
+/// no writes.
+bool simulated_since(const Tree& tree, const Tree::State& state, Handle instance,
+                     const Property& property, const Provenance& written) {
+    // Until it is set, its owner takes it from elsewhere, and no step writes it.
+    const bool unset = property.binding.reset != nullptr &&
+                       property.binding.overridden != nullptr &&
+                       !tree.overridden(instance, property);
+    if (!property.simulated || !property.derives_from.empty() || unset) return false;
+    if (!written.known) return true;
+    // The step that follows the write still shows the written value, so a break at it names the
+    // writer.
+    const Value left = state.changes.writes.left_by(instance, property.symbol, written.cause);
+    return !(left.is_nil() || written.cause.step + 1 >= tree.step() ||
+             tree.peek(instance, property) == left);
+}
+
+/// The property of an instance with that symbol; null if it has none that a person may set.
+const Property* settable(const Tree& tree, Handle instance, std::uint32_t symbol) {
+    const auto with_symbol = [&](std::span<const Property* const> all) -> const Property* {
+        for (const Property* each : all)
+            if (each->symbol.id() == symbol) return each;
+        return nullptr;
+    };
+    const Property* found = with_symbol(tree.class_of(instance).properties());
+    if (found == nullptr) found = with_symbol(tree.ad_hoc(instance));
+    return found == nullptr || found->read_only || found->transient ? nullptr : found;
+}
+
+}  // namespace
+
+std::unordered_map<std::uint64_t, Provenance> latest_writes(const Tree& tree) {
+    // A write of the log is looked at only until its instance has one.
+    Tree::State& state = const_cast<Tree&>(tree).state();  // as in Tree::last_writer
+    state.changes.report_plain_writes();
+    std::unordered_map<std::uint64_t, Provenance> latest;
+    std::unordered_map<std::uint64_t, std::uint64_t> numbers;   // of the writes in `latest`
+    std::unordered_set<std::uint64_t> rejected;                 // cells
+    std::unordered_map<std::uint64_t, std::uint64_t> restored;  // instances, by cell
+    std::vector<std::uint32_t> decided;  // by index of an instance: its generation plus one
+    state.changes.writes.each_backwards(tree.step(), [&](const WritesLog::Entry& entry) {
+        const std::uint32_t index = entry.instance.index;
+        const std::uint64_t cell = std::uint64_t{index} << 32 | entry.property;
+        if (index >= decided.size()) decided.resize(index + 1);
+        const bool is_decided = decided[index] == entry.instance.generation + 1;
+        const bool in_full = !entry.cause.where.empty();
+        if (is_decided && restored.empty() && !in_full) return;
+        if (!entry.later && !restored.empty()) restored.erase(cell);
+        const std::uint64_t key = entry.instance.key();
+        if (is_decided && !(in_full && entry.number >= numbers[key])) return;
+        if (rejected.contains(cell) || !tree.alive(entry.instance)) return;
+        const Property* const property = settable(tree, entry.instance, entry.property);
+        if (property == nullptr) {
+            rejected.insert(cell);
+            return;
+        }
+        if (entry.later) {
+            restored.try_emplace(cell, key);
+            return;
+        }
+        const Provenance written{.known = true, .cause = entry.cause};
+        const bool simulated = entry.cause.writer == Writer::simulation ||
+                               state.changes.shadows.simulated_at({index, property->symbol}) != 0 ||
+                               simulated_since(tree, state, entry.instance, *property, written);
+        if (simulated) {
+            rejected.insert(cell);
+            return;
+        }
+        latest[key] = written;
+        numbers[key] = entry.number;
+        decided[index] = entry.instance.generation + 1;
+    });
+    for (const auto& [cell, key] : restored) {
+        Provenance& its = latest[key];
+        const std::uint64_t step = state.changes.writes.arrival_step();
+        if (!its.known || its.cause.step <= step)
+            its = {.known = true, .cause = {.writer = Writer::restore, .where = {}, .step = step}};
+    }
+    return latest;
+}
+
 Provenance Tree::last_writer(Handle instance, const Property& property) const {
     state_->instances.require(instance, property);
     if (const auto step = state_->changes.shadows.simulated_at({instance.index, property.symbol}))
@@ -72,17 +159,7 @@ Provenance Tree::last_writer(Handle instance, const Property& property) const {
     state_->changes.report_plain_writes();
     const WritesLog& writes = state_->changes.writes;
     Provenance written = writes.find(instance, property.symbol, step());
-    // Until it is set, its owner takes it from elsewhere, and no step writes it.
-    const bool unset = property.binding.reset != nullptr &&
-                       property.binding.overridden != nullptr && !overridden(instance, property);
-    if (!property.simulated || !property.derives_from.empty() || unset) return written;
-    if (written.known) {
-        // Later steps may have changed the value, which nothing reports. The step that follows the
-        // write still shows the written value, so a break at it names the writer.
-        const Value left = writes.left_by(instance, property.symbol, written.cause);
-        if (left.is_nil() || written.cause.step + 1 >= step() || peek(instance, property) == left)
-            return written;
-    }
+    if (!simulated_since(*this, *state_, instance, property, written)) return written;
     return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
 }
 

@@ -180,9 +180,10 @@ Place resolve(const Tree& tree, std::string_view path) {
         }
         const Property& property = tree.property(place.instance, *name);
         // If the path continues, a reference is followed.
-        if (property.type == Type::reference || property.any_type) {
+        const bool may_refer = property.type == Type::reference || property.any_type;
+        if (may_refer && i + 1 < segments.size()) {
             const Value value = tree.get(place.instance, property);
-            if (value.is(Type::reference) && i + 1 < segments.size()) {
+            if (value.is(Type::reference)) {
                 tree.require(value.reference());
                 place.instance = value.reference();
                 continue;

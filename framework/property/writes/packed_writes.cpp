@@ -64,4 +64,13 @@ PackedWrites::Found PackedWrites::last(std::uint32_t index, Symbol property,
     return {};
 }
 
+PackedWrites::Write PackedWrites::at(std::size_t i) const {
+    if (bytes_ == nullptr) return {{index_.first, generation_.first}, property_.first};
+    const std::size_t stride = index_.width + generation_.width + property_.width;
+    const std::byte* const index = bytes_.get() + i * stride;
+    const std::byte* const generation = index + index_.width;
+    return {{index_.value(index), generation_.value(generation)},
+            property_.value(generation + generation_.width)};
+}
+
 }  // namespace fettle::property

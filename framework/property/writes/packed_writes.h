@@ -23,6 +23,12 @@ class PackedWrites {
     /// The last write, of the first `count` ones, to that property of an instance in that slot.
     Found last(std::uint32_t index, Symbol property, std::size_t count) const;
     std::size_t count() const { return count_; }
+    struct Write {
+        Handle instance;
+        std::uint32_t property = 0;  // the id of its symbol
+    };
+    /// The write with that index.
+    Write at(std::size_t i) const;
 
   private:
     /// One number of each write, stored as the bits in which it differs from the first write.

@@ -1,6 +1,7 @@
 #include "writes_log.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace fettle::property {
 
@@ -173,6 +174,38 @@ Provenance WritesLog::find(Handle instance, Symbol property, std::uint64_t now) 
         return {.known = true,
                 .cause = {.writer = Writer::restore, .where = {}, .step = arrival_step_}};
     return out;
+}
+
+void WritesLog::each_backwards(std::uint64_t now,
+                               const std::function<void(const Entry&)>& visit) const {
+    auto run = runs_.rbegin();
+    // The number of the first write of a run is one more than the end of the run before it.
+    const auto report = [&](std::uint64_t number, Handle instance, std::uint32_t property) {
+        while (run != runs_.rend() && std::next(run) != runs_.rend() &&
+               std::next(run)->end >= number)
+            ++run;
+        if (run == runs_.rend()) return;
+        const bool later = run->lost || run->presence.from > now;
+        const Cause cause{.writer = run->writer, .where = {}, .step = run->step};
+        visit({instance, property, later, number, cause});
+    };
+    const std::uint64_t packed = first_ + packed_.size() * in_chunk;
+    for (std::uint64_t number = reported_; number > packed; --number) {
+        const PlainWrite& write = (*chunk_)[number - packed - 1];
+        if (write.property != nullptr) report(number, write.instance, write.property->symbol.id());
+    }
+    for (std::size_t piece = packed_.size(); piece-- > 0;)
+        for (std::size_t i = packed_[piece].count(); i-- > 0;) {
+            const PackedWrites::Write write = packed_[piece].at(i);
+            report(first_ + piece * in_chunk + i + 1, write.instance, write.property);
+        }
+    for (const auto& [cell, full] : full_)
+        if (full.presence.from <= now)
+            visit({{cell.index, full.generation},
+                   cell.property.id(),
+                   false,
+                   full.number,
+                   full.cause});
 }
 
 Value WritesLog::left_by(Handle instance, Symbol property, const Cause& write) const {

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <unordered_map>
 #include <unordered_set>
@@ -94,6 +95,17 @@ class WritesLog {
     void forget_after(std::uint64_t step);
     /// Among the writes up to the step `now`. The writer is `restore` if there are only later ones.
     Provenance find(Handle instance, Symbol property, std::uint64_t now) const;
+    /// A write, with the cause that `find` would return if it were the last one of its cell.
+    struct Entry {
+        Handle instance;
+        std::uint32_t property = 0;  // the id of its symbol
+        bool later = false;          // than the step `now`, or lost
+        std::uint64_t number = 0;    // a later write has a greater one
+        Cause cause{};
+    };
+    /// Calls `visit` with all writes, the latest first; and then with those that are noted in full.
+    void each_backwards(std::uint64_t now, const std::function<void(const Entry&)>& visit) const;
+    std::uint64_t arrival_step() const { return arrival_step_; }
     /// The value after the write; nil if it is not known.
     Value left_by(Handle instance, Symbol property, const Cause& write) const;
 

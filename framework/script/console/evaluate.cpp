@@ -294,6 +294,7 @@ bool call_with_words(lua_State* L, std::string_view command) {
                                               "drop_tweaks",
                                               "bookmark",
                                               "unbookmark",
+                                              "wait",
                                               "compare_branch"};
     const std::size_t space = command.find(' ');
     if (space == std::string_view::npos) return false;

@@ -1,12 +1,16 @@
 // What scripts call: after, every, wait, and the methods of instances with these names.
 
 #include <fettle/property/spelling.h>
+#include <fettle/script/runtime.h>
 
 #include <handlers/connections.h>
+#include <handlers/observed.h>
 #include <handlers/timers.h>
 #include <lua/exception_guard.h>
+#include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <values/recording.h>
 #include <values/short_text.h>
 #include <values/values.h>
 
@@ -59,7 +63,32 @@ int every(lua_State* L) {
     return timer(L, "every", true);
 }
 
+/// `wait` in a terminal, whose next command runs later. False, and nothing is done, elsewhere.
+bool wait_in_terminal(lua_State* L) {
+    const Machine& machine = machine_of(L);
+    const auto& function = (*machine.host.console).wait;
+    if (!machine.recording.active) return false;
+    if (!function) return !machine.options.replay.empty();
+    constexpr double longest = 3600;  // s
+    Wait wait;
+    int seconds = 0;  // the argument that is a time
+    if (lua_isnoneornil(L, 1)) {
+        wait.until_pause = true;
+    } else if (lua_isnumber(L, 1) != 0) {  // `wait 2` gives a text
+        seconds = 1;
+    } else {
+        wait.condition = observe(L, 1, "wait");
+        if (!lua_isnoneornil(L, 2)) seconds = 2;
+    }
+    if (seconds > 0) wait.seconds = lua_tonumber(L, seconds);
+    if (seconds > 0 &&
+        (lua_isnumber(L, seconds) == 0 || !(wait.seconds >= 0) || wait.seconds > longest))
+        throw Error(ErrorKind::out_of_range, "wait: expected a time from 0 to 3600 s");
+    return function(std::move(wait));
+}
+
 int wait(lua_State* L) {
+    if (!lua_isyieldable(L) && wait_in_terminal(L)) return 0;
     const double seconds = lua_gettop(L) == 0 ? 0 : check_seconds(L, "wait");
     if (!lua_isyieldable(L))
         throw Error(ErrorKind::bad_structure,

@@ -231,9 +231,14 @@ const std::vector<GlobalDoc>& global_docs() {
          "vec(other: vec): vec\n"
          "vec(): vec",
          "A vector or point; a copy of one; the zero vector."},
-        {"wait", "wait(seconds: number)",
+        {"wait",
+         "wait(seconds: number)\n"
+         "wait(condition?: string|fun(): any, seconds?: number)",
          "Inside a coroutine: continues after that much simulation time; real time in a function "
-         "that a timer in real time has called."},
+         "that a timer in real time has called. In a terminal (`fettle repl`): the next command "
+         "runs after these seconds, or when the condition is true, after 60 seconds at most or as "
+         "many as are given: `wait world.ball.position.y < 1`. wait() waits until the game is "
+         "paused, as by `break_when`."},
         {"watch",
          "watch(pattern: string, handler: fun(new: any, old: any, change: Change)): Connection",
          "Calls the function after a property that matches has changed: "

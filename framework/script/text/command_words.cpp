@@ -35,7 +35,7 @@ constexpr Command commands[] = {
     {"spawn create make give summon add", "world.name = Body { ... }", Argument::path,
      "world.name = % { ... }"},
     {"stop freeze pause", "time.paused = true"},
-    {"resume unpause continue play", "time.paused = false"},
+    {"resume unpause continue play", "go_on()"},
     {"step next skip advance", "time.step_once = true to make one step"},
     {"slow slowmo slomo timescale time_scale host_timescale speed", "time.scale = 0.5",
      Argument::number, "time.scale = %"},

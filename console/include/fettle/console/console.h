@@ -150,9 +150,13 @@ class Console : public app::Layer {
     /// answer says what `pin`, `plot` and others have done. `who` is the name of the terminal, for
     /// the log, which then gets the command and the beginning of its answer; "": it gets nothing.
     script::Evaluation answer_terminal(std::string_view command, std::string_view who = {});
-    /// Whether a command has begun something, such as a search of the past, whose result comes in
-    /// the next call of `between_frames`.
-    bool answers_later() const;
+    /// Whether a command of the terminal has begun something, such as a search of the past, whose
+    /// result comes in the next call of `between_frames`, or waits.
+    bool answers_later(std::string_view who = {}) const;
+    /// None while the terminal waits, as `wait` has told it. Otherwise lines for it about the end
+    /// of the wait, which are returned once.
+    std::optional<std::vector<std::string>> waited(std::string_view who);
+    void stop_waiting(std::string_view who);
 
     bool is_open() const;         ///< whether the player sees it
     void open(bool open = true);  ///< opens or closes it

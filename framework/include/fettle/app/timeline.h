@@ -145,6 +145,8 @@ class Timeline {
     struct Piece {
         property::LoggedWrites writes;
         std::vector<std::pair<property::SnapshotPart*, property::Memory>> changes;
+        std::size_t bytes = 0;
+        bool broken = false;  // of a step that an error ended early
     };
     struct Step {
         std::int64_t number = 0;
@@ -181,7 +183,6 @@ class Timeline {
     struct Failure {
         std::int64_t step = -1;  // -1: none
         std::size_t pieces = 0;  // of `tail_` at its end
-        Step broken;             // the newest step if the error ended it early; only `before`
     };
     /// Where the tree is, and whether a step is being made.
     struct Place {
@@ -243,6 +244,7 @@ class Timeline {
     void trim();
     void thin_out();
     void note(Step& of, Piece& piece);
+    void drop_broken();
     void skip_changes();
     std::size_t forgotten() const;
     void redo(const Step& step);

@@ -2,6 +2,7 @@
 // Who wrote a value before a moment.
 
 #include <cstdint>
+#include <unordered_map>
 
 #include <fettle/property/export.h>
 #include <fettle/property/history.h>
@@ -16,6 +17,12 @@ namespace fettle::property {
 /// a simulation writes is not among the writes. Throws Error(deleted).
 Provenance last_writer_until(Tree& tree, Handle instance, const Property& property,
                              std::uint64_t step);
+
+/// The latest of the last writes of the properties of each instance, by its key. Properties that
+/// are read-only or transient, and values that a simulation has changed since, do not count. As
+/// fast as a look at each kept write; `Tree::last_writer` is slower for all properties of many
+/// instances.
+std::unordered_map<std::uint64_t, Provenance> latest_writes(const Tree& tree);
 
 }  // namespace fettle::property
 

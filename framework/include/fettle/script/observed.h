@@ -33,6 +33,13 @@ struct Observed {
     bool is_function() const { return text.starts_with("function"); }
 };
 
+/// What a terminal waits for before its next command.
+struct Wait {
+    std::optional<Observed> condition{};  // until it is true; one that is no boolean: has changed
+    bool until_pause = false;             // until the game is paused
+    double seconds = 60;                  // at most; all of them without the two above
+};
+
 /// What a console can list.
 enum class Listed : std::uint8_t { pins, plots, breaks, bookmarks, binds, aliases };
 
@@ -80,6 +87,9 @@ struct ConsoleFunctions {
     std::function<std::string(bool on)> record{};
     /// Lets the game go on after an error or a pause; returns an answer.
     std::function<std::string()> go_on{};
+    /// The terminal of the present command waits before its next one. False if the command was
+    /// typed in no terminal.
+    std::function<bool(Wait)> wait{};
     /// Begins the game again.
     std::function<void()> restart{};
     /// Runs the command when the key goes down; an empty command ends it.

@@ -292,7 +292,8 @@ void Tweaks::State::reopen_undone_rows() {
     });
     for (const auto& [row, entry] : earlier.reapplied) {
         const bool undone = entry->row.state == RowState::open && !visible(*entry) &&
-                            entry->deletion == nullptr;  // otherwise it is a part of another tweak
+                            entry->deletion == nullptr &&  // otherwise a part of another tweak
+                            !is_left_behind(*entry);       // otherwise listed itself
         const RowState state = undone ? RowState::open : RowState::dropped;
         if (row->state == state) continue;
         if (row->run != JournalRow::left_behind) {

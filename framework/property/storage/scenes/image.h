@@ -20,10 +20,11 @@ struct Image {
     std::string text{};       // for people
     std::string unit{};       // to be shown after the text; "" if there is no value
 
-    /// Equal for a person: the current values of equal formulas may differ.
+    /// Equal for a person: the current values of equal formulas may differ, and defaults may change
+    /// when a script is loaded again.
     friend bool operator==(const Image& a, const Image& b) {
         return a.kind == b.kind && a.source == b.source &&
-               (a.kind == Kind::formula || a.value == b.value);
+               (a.kind == Kind::formula || a.kind == Kind::by_default || a.value == b.value);
     }
 };
 

@@ -60,6 +60,7 @@ void Tweaks::State::settle() {
     for (std::size_t i = 0; i < entries.size(); ++i)
         if (!holds[i]) leave(*entries[i]);
     refresh_paths_of_later_values();
+    withdraw_replaced_creations();
     // Several entries may have had one path; that of the instance which is there now comes last.
     std::vector<Entry*> all;
     for (const auto& each : entries)
@@ -93,9 +94,9 @@ void Tweaks::State::put(Entry& its, const std::shared_ptr<const SavedEntry>& sav
 }
 
 /// An instance that is made, deleted or moved later is listed as one of an earlier run is: the edit
-/// can be kept, or made again at this moment.
+/// can be kept, or made again at this moment. A kept one stays listed as kept: the file has it.
 void Tweaks::State::leave_behind(Entry& its) {
-    if (its.dirty) refresh(its);
+    if (its.dirty && its.row.state == RowState::open) refresh(its);
     JournalRow row = its.row;
     row.run = JournalRow::left_behind;
     if (its.left != nullptr)
@@ -110,9 +111,28 @@ void Tweaks::State::withdraw_left_deletions(Handle instance) {
     if (deleted.empty()) return;
     for (Handle at = instance; at; at = tree.parent(at)) {
         const auto found = deleted.find(at.key());
-        if (found == deleted.end() || !is_left_behind(*found->second)) continue;
+        if (found == deleted.end() || found->second->left == nullptr) continue;
+        const bool journaled = is_left_behind(*found->second);
         found->second->left->state = RowState::dropped;
-        add_to_dirty(*found->second);
+        if (journaled) add_to_dirty(*found->second);
+    }
+}
+
+/// What was made at another moment is not listed while something is there that a person made with
+/// the same path.
+void Tweaks::State::withdraw_replaced_creations() {
+    for (JournalRow& row : earlier.rows) {
+        if (row.run != JournalRow::left_behind || row.state != RowState::open ||
+            row.kind != Kind::created)
+            continue;
+        const bool replaced =
+            std::ranges::any_of(at_or_below(row.instance), [&](const Entry* each) {
+                return each->row.kind == Kind::created && each->row.instance == row.instance &&
+                       visible(*each);
+            });
+        if (!replaced) continue;
+        row.state = RowState::dropped;
+        add_to_dirty(entry_of(row));
     }
 }
 
@@ -122,7 +142,7 @@ void Tweaks::State::leave(Entry& its) {
     if (its.away) return;
     const bool of_instance = its.row.kind == Kind::created || its.row.kind == Kind::deleted ||
                              its.row.kind == Kind::moved;
-    if (of_instance && its.row.state == RowState::open && visible(its)) leave_behind(its);
+    if (of_instance && visible(its)) leave_behind(its);
     its.away = true;
     // Also if its instance is made later: it has the path that it had then.
     if (its.row.kind == Kind::value) return;

@@ -408,6 +408,9 @@ std::vector<Tweak> Tweaks::list() const {
     };
     for (const JournalRow& row : state_->earlier.rows)
         if (row.state == JournalRow::State::open) add(row, true, true);
+    for (const JournalRow& row : state_->earlier.rows)
+        if (row.state == JournalRow::State::kept && row.run == JournalRow::left_behind)
+            add(row, false, true);
     for (const auto& entry : state_->entries)
         if (state_->visible(*entry)) {
             add(entry->row, false, entry->committed && !entry->dirty);

@@ -185,8 +185,15 @@ void Tweaks::State::steps_renamed(const std::filesystem::path& file,
 void Tweaks::State::set_former_value(const JournalRow& row) {
     const auto found = by_key.find(key_of(Kind::value, row.instance, row.property));
     if (found == by_key.end()) return;
-    found->second->was = read_image(row.now);
-    found->second->in_file = found->second->was;
+    Image& was = found->second->was;
+    const std::string& unit = found->second->now.unit;
+    was = read_image(row.now);
+    was.text = row.now_text;  // with its unit
+    if (!unit.empty() && was.text.ends_with(unit)) {
+        was.text.resize(was.text.size() - unit.size());
+        was.unit = unit;
+    }
+    found->second->in_file = was;
     index(*found->second);
 }
 

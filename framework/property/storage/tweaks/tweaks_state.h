@@ -126,6 +126,7 @@ struct Tweaks::State : EditObserver {
     void leave(Entry& its);
     void leave_behind(Entry& its);
     void refresh_paths_of_later_values();
+    void withdraw_replaced_creations();
     void withdraw_left_deletions(Handle instance);
     static bool is_left_behind(const Entry& its) {
         return its.left != nullptr && its.left->state == RowState::open;
