@@ -38,7 +38,8 @@ for n, place in ipairs { vec(3, -1.5), vec(6, 0), vec(11, 1.5), vec(13, 1.5), ve
     world["coin_" .. n] = Coin { position = place, frame = n % 6 + 1 }
 end
 
-world.sign = Text { text = "Seven coins\nlie to the right", position = vec(-4, 0.5), size = 0.55, outline = color("#31424f") }
+world.sign = Text { text = "Seven coins lie to the right.\nArrow keys walk, space jumps.", position = vec(-4, 0.5), size = 0.55,
+    outline = color("#31424f") }
 world.rope = Line { points = { vec(-6.2, -0.4), vec(-5.2, -0.6), vec(-4, -0.66), vec(-2.8, -0.6), vec(-1.8, -0.4) },
     width = 0.07, color = color("#6b4a2e"), dashed = 0.2 }
 
@@ -77,7 +78,7 @@ function step()
         if (coin.position - hero.position):length() < 1 then
             coin:delete()
             found = found + 1
-            game.score.count.text = found .. " of 7"
+            game.score.count.text = found < 7 and found .. " of 7" or "All seven!"
             view:shake(0.08, 0.2)
         end
     end

@@ -105,7 +105,7 @@ function Level:step(dt)
             local tile = self.map:tile(cell.x, cell.y, layer)
             if tile > 0 and self.map:tile_property(tile, "hurts") and not self.over then
                 if layer == "water" then fx.puff(at, { color("#bfe8ff"), color("#3d9ad600") }, 20, { speed = 6 }) end
-                self:hit(layer == "decor" and at + vec(hero.facing, 0) or nil)
+                return self:hit(layer == "decor" and at + vec(hero.facing, 0) or nil)
             end
         end
     end

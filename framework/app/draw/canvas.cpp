@@ -6,6 +6,7 @@
 
 namespace fettle::app {
 
+using property::Blend;
 using property::Color;
 using property::Vec2;
 
@@ -24,6 +25,11 @@ void multiply_by_opacity(std::vector<CanvasVertex>& vertices) {
 }
 
 }  // namespace
+
+Canvas::Canvas(sf::RenderTarget& target) : target_(target) {
+    (void)target_.setActive(true);
+    if (sfml::has_quads && sfml::renders_in_software()) pictures_.keep_texels();
+}
 
 // --- A frame -------------------------------------------------------------------------------------
 
@@ -129,12 +135,48 @@ void Canvas::draw_strip() {
         if (s.blend == property::Blend::multiply) multiply_by_opacity(strip_);
         if (s.blend == property::Blend::multiply) multiply_by_opacity(quads_);
         if (!strip_.empty()) draw(strip_, sf::PrimitiveType::TriangleStrip, texture, s.blend);
-        if (!quads_.empty()) draw(quads_, sfml::quads, texture, s.blend);
+        const PixelBox clip{static_cast<int>(left), static_cast<int>(top), static_cast<int>(right),
+                            static_cast<int>(bottom)};
+        if (!quads_.empty() && !draw_quads_here(texture, s.blend, clip))
+            draw(quads_, sfml::quads, texture, s.blend);
     }
     strip_.clear();
     quads_.clear();
     last_quads_ = 0;
     source_ = nullptr;
+}
+
+/// Draws `quads_` on the processor, and their picture at once. False if that is not possible, or if
+/// it would take longer than the renderer of OpenGL.
+bool Canvas::draw_quads_here(const sf::Texture& texture, Blend blend, const PixelBox& clip) {
+    if (quads_.size() < 1000 || blend == Blend::multiply) return false;
+    const TexelRows texels = pictures_.texels(texture);
+    if (texels.rgba == nullptr) return false;
+    raster_.measure(quads_, clip);
+    if (!raster_.is_faster()) return false;
+    if (raster_.box().width() == 0 || raster_.box().height() == 0) return true;
+    const bool adds = blend == Blend::add;
+    raster_.draw(quads_, texels, adds);
+    const PixelBox& box = raster_.box();
+    // With one texture, the renderer would wait for the picture before.
+    sf::Texture& drawn = drawn_here_[next_drawn_here_++ % drawn_here_.size()];
+    const auto wide = static_cast<unsigned>(width()), high = static_cast<unsigned>(height());
+    if (drawn.getSize() != target_.getSize() && !sfml::create(drawn, wide, high)) return false;
+    sfml::update(drawn, raster_.rgba(), static_cast<unsigned>(box.width()),
+                 static_cast<unsigned>(box.height()), 0, 0);
+    const auto corner = [&](int x, int y) {
+        return CanvasVertex(static_cast<float>(x), static_cast<float>(y), 255, 255, 255, 255,
+                            static_cast<float>(x - box.left), static_cast<float>(y - box.top));
+    };
+    const std::array<CanvasVertex, 4> corners{corner(box.left, box.top), corner(box.right, box.top),
+                                              corner(box.left, box.bottom),
+                                              corner(box.right, box.bottom)};
+    using Factor = sf::BlendMode::Factor;
+    sf::RenderStates states(&drawn);
+    states.blendMode = sf::BlendMode(Factor::One, adds ? Factor::One : Factor::OneMinusSrcAlpha);
+    target_.draw(reinterpret_cast<const sf::Vertex*>(corners.data()), corners.size(),
+                 sf::PrimitiveType::TriangleStrip, states);
+    return true;
 }
 
 /// The view and viewport are the clip rectangle, so nothing outside it is drawn.

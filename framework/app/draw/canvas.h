@@ -13,7 +13,9 @@
 #include <fettle/property/painter.h>
 
 #include <draw/atlas.h>
+#include <draw/canvas_vertex.h>
 #include <draw/pictures.h>
+#include <draw/quad_raster.h>
 #include <draw/shade.h>
 #include <outlines/area.h>
 #include <outlines/border_rings.h>
@@ -24,21 +26,9 @@
 
 namespace fettle::app {
 
-/// Has the memory layout of SFML's vertex. Constructors of SFML's own type are library calls, which
-/// cost too much: a bordered box has forty vertices.
-struct CanvasVertex {
-    CanvasVertex() {}  // leaves all as it is: what a batch is enlarged by is written at once
-    CanvasVertex(float left, float top, std::uint8_t red, std::uint8_t green, std::uint8_t blue,
-                 std::uint8_t opacity, float texel_x, float texel_y)
-        : x(left), y(top), r(red), g(green), b(blue), a(opacity), u(texel_x), v(texel_y) {}
-    float x, y;
-    std::uint8_t r, g, b, a;
-    float u, v;  // texels
-};
-
 class Canvas : public property::Painter, public Surface {
   public:
-    explicit Canvas(sf::RenderTarget& target) : target_(target) {}
+    explicit Canvas(sf::RenderTarget& target);
 
     void begin(property::Color background);
     void set_view(const View& view);
@@ -94,6 +84,7 @@ class Canvas : public property::Painter, public Surface {
     void draw(const std::vector<CanvasVertex>& vertices, sf::PrimitiveType type,
               const sf::Texture& texture, property::Blend blend);
     void draw_strip();
+    bool draw_quads_here(const sf::Texture& texture, property::Blend blend, const PixelBox& clip);
     void set_clip(float left, float top, float right, float bottom);
     property::Paint faded(const property::Paint& paint) const;
     property::Color faded(property::Color color) const;
@@ -168,6 +159,9 @@ class Canvas : public property::Painter, public Surface {
     Atlas atlas_{};
     View view_{};
     Pictures pictures_{};
+    QuadRaster raster_{};
+    std::array<sf::Texture, 2> drawn_here_{};  // pictures of raster_, in turn
+    std::size_t next_drawn_here_ = 0;
     Shade shade_{};
     bool shading_ = false;  // a figure with a gradient is being drawn
     property::Transform world_to_pixels_{}, screen_to_pixels_{};  // of view_

@@ -150,13 +150,13 @@ Pictures::Page* Pictures::add_page(Kind kind) {
     page->texture->setSmooth(is_smooth(kind));
     constexpr unsigned side = 4;  // as in the atlas
     const std::vector<std::uint8_t> white(std::size_t{side} * side * 4, 255);
-    sfml::update(*page->texture, white.data(), side, side, 0, 0);
+    write(*page, white, side, side, 0, 0);
     page->x = side + 1;
     page->height = side + 1;
     return pages_.emplace_back(std::move(page)).get();
 }
 
-std::optional<Pictures::Place> Pictures::put(Page& page, const Picture& picture) {
+std::optional<Pictures::Place> Pictures::put(Page& page, const Picture& picture) const {
     const unsigned width = picture.width() + 2, height = picture.height() + 2;
     if (page.x + width > page_side) {
         page.y += page.height;
@@ -165,12 +165,32 @@ std::optional<Pictures::Place> Pictures::put(Page& page, const Picture& picture)
     if (page.y + height > page_side) return std::nullopt;
     const std::vector<std::uint8_t> pixels =
         with_edge(picture, is_multiplied(page.kind) ? multiplied(picture.rgba()) : picture.rgba());
-    sfml::update(*page.texture, pixels.data(), width, height, page.x, page.y);
+    write(page, pixels, width, height, page.x, page.y);
     const Place place{page.texture.get(), static_cast<float>(page.x + 1),
                       static_cast<float>(page.y + 1)};
     page.x += width;
     page.height = std::max(page.height, height);
     return place;
+}
+
+void Pictures::write(Page& page, const std::vector<std::uint8_t>& rgba, unsigned width,
+                     unsigned height, unsigned x, unsigned y) const {
+    sfml::update(*page.texture, rgba.data(), width, height, x, y);
+    if (!keeps_texels_) return;
+    constexpr std::size_t row = std::size_t{page_side} * 4;
+    if (page.texels.size() < (y + height) * row) page.texels.resize((y + height) * row);
+    for (std::size_t i = 0; i < height; ++i)
+        std::copy_n(rgba.begin() + static_cast<std::ptrdiff_t>(i * width * 4), width * 4,
+                    page.texels.begin() + static_cast<std::ptrdiff_t>((y + i) * row + x * 4));
+}
+
+TexelRows Pictures::texels(const sf::Texture& texture) const {
+    for (const auto& page : pages_)
+        if (page->texture.get() == &texture && !page->texels.empty())
+            return {page->texels.data(), page_side,
+                    static_cast<int>(page->texels.size() / (std::size_t{page_side} * 4)),
+                    is_smooth(page->kind)};
+    return {};
 }
 
 // --- Drawing -------------------------------------------------------------------------------------

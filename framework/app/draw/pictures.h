@@ -11,6 +11,7 @@
 #include <fettle/property/picture.h>
 
 #include <draw/atlas.h>
+#include <draw/quad_raster.h>
 #include <sfml/sfml.h>
 
 namespace fettle::app {
@@ -23,6 +24,10 @@ class Pictures {
     };
     enum class Kind : std::uint8_t { sharp, smooth, sharp_multiplied, smooth_multiplied };
 
+    /// From now on, the texels of pages are also kept in memory.
+    void keep_texels() { keeps_texels_ = true; }
+    /// Those of a page; without `rgba` if they are not kept, or for any other texture.
+    TexelRows texels(const sf::Texture& texture) const;
     /// Copies the picture into a texture unless that was done before. `is_premultiplied`: colors
     /// are multiplied by their opacity.
     Place place(const property::Picture& picture, bool smooth, bool is_premultiplied);
@@ -36,7 +41,8 @@ class Pictures {
     struct Page {
         Kind kind;
         std::unique_ptr<sf::Texture> texture;
-        unsigned x = 0, y = 0, height = 0;  // of the shelf that is being filled
+        unsigned x = 0, y = 0, height = 0;   // of the shelf that is being filled
+        std::vector<std::uint8_t> texels{};  // the rows that are in use, if they are kept
     };
     struct Entry {
         std::uint64_t version = 0;
@@ -56,7 +62,9 @@ class Pictures {
     };
     Entry& entry_of(const Key& key);
     std::optional<Place> put_on_page(const property::Picture& picture, Kind kind);
-    static std::optional<Place> put(Page& page, const property::Picture& picture);
+    std::optional<Place> put(Page& page, const property::Picture& picture) const;
+    void write(Page& page, const std::vector<std::uint8_t>& rgba, unsigned width, unsigned height,
+               unsigned x, unsigned y) const;
     Page* add_page(Kind kind);
 
     std::unordered_map<Key, Entry, Hash> entries_;
@@ -65,6 +73,7 @@ class Pictures {
     std::vector<std::unique_ptr<Page>> pages_;
     std::uint64_t frame_ = 0;
     bool pages_are_full_ = false;
+    bool keeps_texels_ = false;
 };
 
 }  // namespace fettle::app

@@ -48,6 +48,16 @@ void set_axis(InputEvent& event, sf::Joystick::Axis axis, float position);
 /// Maker and product of a gamepad, "054c:0ce6".
 std::string device_of(unsigned gamepad);
 
+/// A touch is the left button of the mouse. False for fingers that come while another is down.
+inline bool convert_touch(EventKind kind, unsigned finger, sf::Vector2i at, InputEvent& out) {
+    if (finger != 0) return false;
+    out.kind = kind;
+    if (kind != EventKind::mouse_moved) out.name = "left";
+    out.x = static_cast<float>(at.x);
+    out.y = static_cast<float>(at.y);
+    return true;
+}
+
 /// A pointer of the system; null if it has none of this form. sfml_events.cpp defines this
 /// function.
 std::unique_ptr<sf::Cursor> system_cursor(Cursor form);
@@ -210,6 +220,12 @@ inline bool convert(const sf::Event& event, InputEvent& out) {
             out.name = device_of(e.joystickId);
         } else if constexpr (std::is_same_v<E, sf::Event::JoystickDisconnected>) {
             gamepad(EventKind::gamepad_disconnected, e.joystickId);
+        } else if constexpr (std::is_same_v<E, sf::Event::TouchBegan>) {
+            known = convert_touch(EventKind::mouse_pressed, e.finger, e.position, out);
+        } else if constexpr (std::is_same_v<E, sf::Event::TouchMoved>) {
+            known = convert_touch(EventKind::mouse_moved, e.finger, e.position, out);
+        } else if constexpr (std::is_same_v<E, sf::Event::TouchEnded>) {
+            known = convert_touch(EventKind::mouse_released, e.finger, e.position, out);
         } else {
             known = false;
         }
@@ -354,6 +370,9 @@ inline bool convert(const sf::Event& event, InputEvent& out) {
         out.name = button_name(event.mouseButton.button);
         place(event.mouseButton.x, event.mouseButton.y);
     };
+    const auto touch = [&](EventKind kind) {
+        return convert_touch(kind, event.touch.finger, {event.touch.x, event.touch.y}, out);
+    };
     switch (event.type) {
         case sf::Event::Closed:
             out.kind = EventKind::closing;
@@ -393,6 +412,12 @@ inline bool convert(const sf::Event& event, InputEvent& out) {
             out.delta = event.mouseWheelScroll.delta;
             place(event.mouseWheelScroll.x, event.mouseWheelScroll.y);
             break;
+        case sf::Event::TouchBegan:
+            return touch(EventKind::mouse_pressed);
+        case sf::Event::TouchMoved:
+            return touch(EventKind::mouse_moved);
+        case sf::Event::TouchEnded:
+            return touch(EventKind::mouse_released);
         default:
             return convert_gamepad(event, out);
     }
@@ -407,5 +432,8 @@ inline bool poll(sf::RenderWindow& window, InputEvent& out) {
 }
 
 #endif
+
+/// Whether OpenGL draws on the processor. Needs an active context.
+bool renders_in_software();
 
 }  // namespace fettle::app::sfml

@@ -263,3 +263,25 @@ test("the title says how to play with what the player has", function(t)
     t:steps(1)
     expect(help()):contains("The stick runs, A jumps.")
 end)
+
+test("a fall into water costs one heart", function(t)
+    t:steps(40)
+    t:tap("enter")
+    t:wait_until(function() return game.scene:is_a("Level") end, 10)
+    t:steps(60)
+    local level, water = game.scene, nil
+    local function is_water(at)
+        local cell = level.map:cell_at(at)
+        return level.map:tile(cell.x, cell.y, "water") > 0
+    end
+    for x = 1, level.map.size.x - 1 do
+        for y = 0.5, 4 do
+            if is_water(vec(x - 0.2, y)) and is_water(vec(x + 0.2, y)) then water = vec(x, y + 0.35) end
+        end
+    end
+    expect(water):truthy()
+    level.hero.position, level.hero.velocity = water, vec(0, 0)
+    t:steps(3)
+    expect(hearts):is(2)
+    expect(level.hits):is(1)
+end)

@@ -1,0 +1,249 @@
+#include <draw/quad_raster.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace fettle::app {
+
+namespace {
+
+// Two pixels with four channels of 16 bits each: red, green, blue, opacity.
+using Channels = std::uint16_t __attribute__((vector_size(16)));
+using SignedChannels = std::int16_t __attribute__((vector_size(16)));
+using Bytes = std::uint8_t __attribute__((vector_size(16)));
+
+// Parts of a texel. With more, a difference of two channels times a part would not fit in 16 bits.
+constexpr int parts = 128;
+constexpr int part_bits = 7;
+
+SignedChannels widened(std::uint64_t two_pixels) {
+    using Words = std::uint64_t __attribute__((vector_size(16)));
+    const auto bytes = reinterpret_cast<Bytes>(Words{two_pixels, 0});
+    static_assert(std::endian::native == std::endian::little);
+    return reinterpret_cast<SignedChannels>(__builtin_shufflevector(
+        bytes, Bytes{}, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
+}
+
+/// Two pixels that follow one another in memory.
+SignedChannels load(const std::uint8_t* from) {
+    std::uint64_t two_pixels;
+    std::memcpy(&two_pixels, from, 8);
+    return widened(two_pixels);
+}
+
+Bytes narrowed(Channels channels) {
+    const auto bytes = reinterpret_cast<Bytes>(channels);
+    return __builtin_shufflevector(bytes, bytes, 0, 2, 4, 6, 8, 10, 12, 14, 0, 2, 4, 6, 8, 10, 12,
+                                   14);
+}
+
+SignedChannels mixed(SignedChannels a, SignedChannels b, SignedChannels weight) {
+    return a + (((b - a) * weight) >> part_bits);
+}
+
+SignedChannels all(std::int16_t value) {
+    return SignedChannels{} + value;
+}
+
+/// x / 255, rounded, for products of two bytes.
+Channels by_255(Channels x) {
+    const Channels y = x + 128;
+    return (y + (y >> 8)) >> 8;
+}
+
+/// Puts two pixels of the texture, multiplied by the tint, over those of the picture.
+template <bool adds>
+Channels put_over(Channels below, SignedChannels texture, Channels tint) {
+    Channels color = by_255(reinterpret_cast<Channels>(texture) * tint);
+    const Channels opacity = __builtin_shufflevector(color, color, 3, 3, 3, 3, 7, 7, 7, 7);
+    constexpr Channels only_colors{0xffff, 0xffff, 0xffff, 0, 0xffff, 0xffff, 0xffff, 0};
+    constexpr Channels whole{0, 0, 0, 255, 0, 0, 0, 255};
+    color = by_255(color * ((opacity & only_colors) | whole));
+    if constexpr (!adds) return color + by_255(below * (255 - opacity));
+    const Channels sum = below + color;
+    return (sum | reinterpret_cast<Channels>(sum > 255)) & 255;
+}
+
+template <bool adds>
+void put_two(std::uint8_t* to, SignedChannels texture, Channels tint) {
+    const auto below = reinterpret_cast<Channels>(load(to));
+    const Bytes bytes = narrowed(put_over<adds>(below, texture, tint));
+    std::memcpy(to, &bytes, 8);
+}
+
+template <bool adds>
+void put_one(std::uint8_t* to, SignedChannels texture, Channels tint) {
+    std::uint32_t one;
+    std::memcpy(&one, to, 4);
+    const auto below = reinterpret_cast<Channels>(widened(one));
+    const Bytes bytes = narrowed(put_over<adds>(below, texture, tint));
+    std::memcpy(to, &bytes, 4);
+}
+
+SignedChannels first_of(SignedChannels a, SignedChannels b) {
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+}
+SignedChannels second_of(SignedChannels a, SignedChannels b) {
+    return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
+/// A place along one side of a texture: between the texels `before` and `before + 1`.
+struct Place {
+    int before;
+    std::int16_t weight;
+};
+
+Place place(float texel, int size, bool smooth) {
+    const auto most = static_cast<float>((size - 1) * parts);
+    const float wanted =
+        smooth ? texel * parts - parts / 2 : std::floor(texel) * static_cast<float>(parts);
+    const int at = static_cast<int>(std::clamp(wanted, 0.0f, most));
+    const int before = std::min(at >> part_bits, size - 2);
+    return {before, static_cast<std::int16_t>(at - before * parts)};
+}
+
+/// The first pixel whose middle is not before `x`.
+int first_from(float x, int lower, int upper) {
+    return static_cast<int>(
+        std::ceil(std::clamp(x - 0.5f, static_cast<float>(lower), static_cast<float>(upper))));
+}
+
+bool is_upright(const CanvasVertex* c) {
+    return c[0].y == c[1].y && c[1].x == c[2].x && c[2].y == c[3].y && c[3].x == c[0].x;
+}
+
+Channels tint_of(const CanvasVertex& c) {
+    return Channels{c.r, c.g, c.b, c.a, c.r, c.g, c.b, c.a};
+}
+
+}  // namespace
+
+void QuadRaster::measure(std::span<const CanvasVertex> corners, const PixelBox& clip) {
+    float left = static_cast<float>(clip.right), right = static_cast<float>(clip.left);
+    float top = static_cast<float>(clip.bottom), bottom = static_cast<float>(clip.top);
+    area_ = 0;
+    count_ = corners.size() / 4;
+    for (std::size_t i = 0; i + 4 <= corners.size(); i += 4) {
+        const CanvasVertex* const c = &corners[i];
+        const float l = std::min(std::min(c[0].x, c[1].x), std::min(c[2].x, c[3].x));
+        const float r = std::max(std::max(c[0].x, c[1].x), std::max(c[2].x, c[3].x));
+        const float t = std::min(std::min(c[0].y, c[1].y), std::min(c[2].y, c[3].y));
+        const float b = std::max(std::max(c[0].y, c[1].y), std::max(c[2].y, c[3].y));
+        left = std::min(left, l);
+        right = std::max(right, r);
+        top = std::min(top, t);
+        bottom = std::max(bottom, b);
+        area_ += static_cast<double>((r - l) * (b - t));
+    }
+    box_.left = first_from(left, clip.left, clip.right);
+    box_.right = std::max(box_.left, first_from(right, clip.left, clip.right));
+    box_.top = first_from(top, clip.top, clip.bottom);
+    box_.bottom = std::max(box_.top, first_from(bottom, clip.top, clip.bottom));
+}
+
+bool QuadRaster::is_faster() const {
+    // ns
+    constexpr double quad_there = 600, pixel_here = 4, pixel_of_box = 5;
+    return static_cast<double>(count_) * quad_there >
+           area_ * pixel_here + pixel_of_box * box_.width() * box_.height();
+}
+
+void QuadRaster::draw(std::span<const CanvasVertex> corners, const TexelRows& texels, bool adds) {
+    texels_ = texels;
+    const std::size_t wide = static_cast<std::size_t>(box_.width());
+    pixels_.assign(wide * static_cast<std::size_t>(box_.height()) * 4, 0);
+    columns_.resize(wide + 1);
+    adds ? draw_all<true>(corners) : draw_all<false>(corners);
+}
+
+template <bool adds>
+void QuadRaster::draw_all(std::span<const CanvasVertex> corners) {
+    for (std::size_t i = 0; i + 4 <= corners.size(); i += 4)
+        is_upright(&corners[i]) ? draw_upright<adds>(&corners[i]) : draw_turned<adds>(&corners[i]);
+}
+
+template <bool adds>
+void QuadRaster::draw_upright(const CanvasVertex* c) {
+    const CanvasVertex& a = c[0];
+    const CanvasVertex& b = c[2];
+    const int left = first_from(std::min(a.x, b.x), box_.left, box_.right);
+    const int right = first_from(std::max(a.x, b.x), box_.left, box_.right);
+    const int top = first_from(std::min(a.y, b.y), box_.top, box_.bottom);
+    const int bottom = first_from(std::max(a.y, b.y), box_.top, box_.bottom);
+    const int count = right - left;
+    if (count <= 0 || bottom <= top) return;
+    const float across = (b.u - a.u) / (b.x - a.x), down = (b.v - a.v) / (b.y - a.y);
+    for (int i = 0; i < count; ++i) {
+        const float u = a.u + (static_cast<float>(left + i) + 0.5f - a.x) * across;
+        const Place at = place(u, texels_.width, texels_.smooth);
+        columns_[static_cast<std::size_t>(i)] = {4 * at.before, at.weight};
+    }
+    const Channels tint = tint_of(a);
+    const auto stride = static_cast<std::ptrdiff_t>(box_.width()) * 4;
+    std::uint8_t* to = pixels_.data() + (top - box_.top) * stride + 4 * (left - box_.left);
+    for (int y = top; y < bottom; ++y, to += stride) {
+        const float v = a.v + (static_cast<float>(y) + 0.5f - a.y) * down;
+        const Place at = place(v, texels_.height, texels_.smooth);
+        const auto length = static_cast<std::ptrdiff_t>(texels_.width) * 4;
+        const std::uint8_t* const upper = texels_.rgba + at.before * length;
+        const std::uint8_t* const lower = upper + length;
+        const SignedChannels weight = all(at.weight);
+        const auto texture = [&](const Column& column) {
+            return mixed(load(upper + column.offset), load(lower + column.offset), weight);
+        };
+        int i = 0;
+        for (; i + 1 < count; i += 2) {
+            const Column& one = columns_[static_cast<std::size_t>(i)];
+            const Column& two = columns_[static_cast<std::size_t>(i) + 1];
+            const SignedChannels first = texture(one), second = texture(two);
+            const SignedChannels weights = first_of(all(one.weight), all(two.weight));
+            put_two<adds>(to + 4 * i,
+                          mixed(first_of(first, second), second_of(first, second), weights), tint);
+        }
+        if (i < count) {
+            const Column& last = columns_[static_cast<std::size_t>(i)];
+            const SignedChannels found = texture(last);
+            put_one<adds>(to + 4 * i, mixed(found, second_of(found, found), all(last.weight)),
+                          tint);
+        }
+    }
+}
+
+template <bool adds>
+void QuadRaster::draw_turned(const CanvasVertex* c) {
+    // A point of the quad is c[0] + s * across + t * down.
+    const float across_x = c[1].x - c[0].x, across_y = c[1].y - c[0].y;
+    const float down_x = c[3].x - c[0].x, down_y = c[3].y - c[0].y;
+    const float area = across_x * down_y - across_y * down_x;
+    if (!(std::abs(area) > 1e-6f)) return;
+    const auto [left_x, right_x] = std::minmax({c[0].x, c[1].x, c[2].x, c[3].x});
+    const auto [top_y, bottom_y] = std::minmax({c[0].y, c[1].y, c[2].y, c[3].y});
+    const int left = first_from(left_x, box_.left, box_.right);
+    const int right = first_from(right_x, box_.left, box_.right);
+    const int top = first_from(top_y, box_.top, box_.bottom);
+    const int bottom = first_from(bottom_y, box_.top, box_.bottom);
+    const float s_x = down_y / area, s_y = -down_x / area;
+    const float t_x = -across_y / area, t_y = across_x / area;
+    const float wide = c[1].u - c[0].u, high = c[3].v - c[0].v;
+    const Channels tint = tint_of(c[0]);
+    const auto stride = static_cast<std::ptrdiff_t>(box_.width()) * 4;
+    const auto length = static_cast<std::ptrdiff_t>(texels_.width) * 4;
+    for (int y = top; y < bottom; ++y) {
+        std::uint8_t* const row = pixels_.data() + (y - box_.top) * stride - 4 * box_.left;
+        const float below = static_cast<float>(y) + 0.5f - c[0].y;
+        for (int x = left; x < right; ++x) {
+            const float beside = static_cast<float>(x) + 0.5f - c[0].x;
+            const float s = beside * s_x + below * s_y, t = beside * t_x + below * t_y;
+            if (!(s >= 0 && s < 1 && t >= 0 && t < 1)) continue;
+            const Place u = place(c[0].u + s * wide, texels_.width, texels_.smooth);
+            const Place v = place(c[0].v + t * high, texels_.height, texels_.smooth);
+            const std::uint8_t* const upper = texels_.rgba + v.before * length + 4 * u.before;
+            const SignedChannels found = mixed(load(upper), load(upper + length), all(v.weight));
+            put_one<adds>(row + 4 * x, mixed(found, second_of(found, found), all(u.weight)), tint);
+        }
+    }
+}
+
+}  // namespace fettle::app
