@@ -95,7 +95,14 @@ class NotingPainter : public property::Painter, public property::Drawer {
                                               : transform().scale();
     }
     void circle(const Vec2& center, double radius, const property::Paint& paint) override {
-        ellipse(center, {radius, radius}, 0, paint);
+        // A circle that turns looks the same.
+        const Transform to = map();
+        const double across = to.x.x * to.y.x + to.x.y * to.y.y, even = to.x.length();
+        constexpr double tiny = 1e-5;
+        if (std::abs(across) > tiny * even * even || std::abs(to.y.length() - even) > tiny * even)
+            return ellipse(center, {radius, radius}, 0, paint);
+        add(Figure::Kind::round, paint).map =
+            Transform::moved(to(center)) * Transform::scaled({radius * even, radius * even});
     }
     void ellipse(const Vec2& center, const Vec2& radii, double angle,
                  const property::Paint& paint) override {

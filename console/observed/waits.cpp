@@ -20,9 +20,15 @@ double Waits::now(std::string_view who) const {
         .count();
 }
 
+double Waits::step_length() const {
+    const Value dt = time_value(tree_, "dt");
+    return dt.is(Type::number) ? dt.number() : 1.0 / 60;
+}
+
 void Waits::begin(std::string_view who, script::Wait wait) {
     Waiting its{.wait = std::move(wait), .first = {}};
     its.until = now(who) + its.wait.seconds;
+    if (who.empty()) its.until += step_length();  // a frame without a step comes before the first
     if (const auto& condition = its.wait.condition) {
         try {
             condition->compute_formulas();
@@ -41,8 +47,7 @@ void Waits::after_step() {
 }
 
 void Waits::between_frames() {
-    const Value dt = time_value(tree_, "dt");
-    passed_ += dt.is(Type::number) ? dt.number() : 1.0 / 60;
+    passed_ += step_length();
     for (auto& [who, its] : all_)
         if (!its.result) check(who, its);
 }

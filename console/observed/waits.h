@@ -43,6 +43,7 @@ class Waits {
         std::optional<std::vector<std::string>> result{};
     };
     double now(std::string_view who) const;
+    double step_length() const;  // s
     void check(std::string_view who, Waiting& its) const;
     void check_condition(Waiting& its) const;
     std::string stands() const;

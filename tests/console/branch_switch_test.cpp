@@ -154,4 +154,26 @@ TEST_CASE_METHOD(BranchedRig, "a break compares with values of the present branc
     CHECK_FALSE(logged("break at step 4"));
 }
 
+TEST_CASE("a property that differs in many instances has three lines") {
+    Rig rig;
+    const console::NotedValues a(rig.tree);
+    const property::Handle world = rig.tree.child(rig.tree.root(), "world");
+    for (const char* name : {"ball", "crate"})
+        rig.tree.set(rig.tree.child(world, name), "mass", Value(7.0));
+    rig.tree.create(rig.tree.class_named("Body"), world, "late");
+    const auto lines = differences(rig.tree, a, console::NotedValues(rig.tree));
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[0] == "world.ball.mass: A 1 kg, B 7 kg");
+    CHECK(lines[1] == "world.crate.mass: A 1 kg, B 7 kg");
+    CHECK(lines[2] == "world.late: in B only");
+    for (int i = 0; i < 4; ++i)
+        rig.tree.create(rig.tree.class_named("Body"), world, "more" + std::to_string(i));
+    const console::NotedValues c(rig.tree);
+    for (const property::Handle each : rig.tree.children(world))
+        rig.tree.set(each, "lives", Value(9));
+    const auto many = differences(rig.tree, c, console::NotedValues(rig.tree));
+    REQUIRE(many.size() == 3);
+    CHECK(many[2] == "world.floor.lives: A 3, B 9; and in 5 others");
+}
+
 }  // namespace branch_switch_test

@@ -7,7 +7,6 @@
 
 #include <fettle/property/picture.h>
 
-#include <look/pen.h>
 #include <look/theme.h>
 
 namespace compare_test {
@@ -177,7 +176,6 @@ TEST_CASE_METHOD(LampRig, "both runs show the colors and shapes of their own mom
 TEST_CASE_METHOD(LampRig, "drawings that are the same at many moments are kept once") {
     runs().request_change("world.crate.mass", Value(3.0), 1);
     console.between_frames();
-    REQUIRE(runs().a().size() == 61);
     const auto& a = *runs().a().back().items;
     const auto& b = *runs().b().front().items;
     REQUIRE(a.size() == b.size());
@@ -218,8 +216,7 @@ TEST_CASE_METHOD(PictureRig, "a picture that the game replaces is shown as it wa
     click(close.x, close.y);
     draw(2);
     CHECK_FALSE(runs().shown());
-    CHECK(surface.faults() == 0);
-    CHECK(magenta() == 0);
+    CHECK(surface.faults() + magenta() == 0);
 }
 
 TEST_CASE_METHOD(PictureRig, "the pictures of both runs are drawn on a surface that changes") {
@@ -440,28 +437,6 @@ struct TwoBranches : CompareRig {
 
 }  // namespace
 
-TEST_CASE("a property that differs in many instances has three lines") {
-    Rig rig;
-    const console::NotedValues a(rig.tree);
-    const property::Handle world = rig.tree.child(rig.tree.root(), "world");
-    for (const char* name : {"ball", "crate"})
-        rig.tree.set(rig.tree.child(world, name), "mass", Value(7.0));
-    rig.tree.create(rig.tree.class_named("Body"), world, "late");
-    const auto lines = differences(rig.tree, a, console::NotedValues(rig.tree));
-    REQUIRE(lines.size() == 3);
-    CHECK(lines[0] == "world.ball.mass: A 1 kg, B 7 kg");
-    CHECK(lines[1] == "world.crate.mass: A 1 kg, B 7 kg");
-    CHECK(lines[2] == "world.late: in B only");
-    for (int i = 0; i < 4; ++i)
-        rig.tree.create(rig.tree.class_named("Body"), world, "more" + std::to_string(i));
-    const console::NotedValues c(rig.tree);
-    for (const property::Handle each : rig.tree.children(world))
-        rig.tree.set(each, "lives", Value(9));
-    const auto many = differences(rig.tree, c, console::NotedValues(rig.tree));
-    REQUIRE(many.size() == 3);
-    CHECK(many[2] == "world.floor.lives: A 3, B 9; and in 5 others");
-}
-
 TEST_CASE_METHOD(
     TwoBranches,
     "two branches are compared from the step at which they part and their differences are listed") {
@@ -486,39 +461,6 @@ TEST_CASE_METHOD(
     console.between_frames();
     CHECK(logged("before the branches part"));
     CHECK_FALSE(runs().shown());
-}
-
-TEST_CASE("a picture of the game is drawn as its box where the console draws the game") {
-    Rig rig;
-    rig.key("grave");
-    rig.draw();
-    ImGui::NewFrame();
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const console::ToPixels same = [](Vec2 at) { return at; };
-    console::Pen outline(list, same, {});
-    outline.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 1}, false);
-    CHECK_FALSE(outline.drew_anything());  // an outline of its shape is drawn
-    console::Pen as_drawn(list, same, {.as_drawn = true});
-    as_drawn.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 0}, false);
-    CHECK_FALSE(as_drawn.drew_anything());
-    as_drawn.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 1}, false);
-    CHECK(as_drawn.drew_anything());
-    // A letter is drawn as its pixels: here two of its four, each a quad.
-    property::Picture letter(2, 2, std::vector<std::uint8_t>(16, 0));
-    letter.keep_on_pixels();
-    std::vector<std::uint8_t> pixels(16, 0);
-    pixels[3] = pixels[15] = 255;
-    letter.replace(2, 2, pixels);
-    console::Pen writing(list, same, {.as_drawn = true});
-    list.Flags = ImDrawListFlags_None;
-    const int before = list.VtxBuffer.Size;
-    writing.picture(letter, {0, 0, 2, 2}, {10, 20}, {30, 40}, {1, 0, 0, 1}, false);
-    REQUIRE(list.VtxBuffer.Size - before == 8);
-    CHECK(list.VtxBuffer[before].pos.x == 10);
-    CHECK(list.VtxBuffer[before].pos.y == 40);  // the world's y goes up: the first row is on top
-    CHECK(list.VtxBuffer[before + 4].pos.x == 20);
-    CHECK(list.VtxBuffer[before + 4].pos.y == 30);
-    ImGui::EndFrame();
 }
 
 TEST_CASE_METHOD(CompareRig, "a comparison needs the instance at its beginning") {

@@ -10,6 +10,8 @@
 
 #include "rig.h"
 
+#include <look/pen.h>
+
 namespace outline_test {
 
 using namespace fettle;
@@ -317,6 +319,39 @@ TEST_CASE_METHOD(Haunted, "no outline is drawn over what another layer covers") 
     };
     draw(3);
     CHECK_FALSE(lined({5, -2}));
+}
+
+TEST_CASE("a picture of the game is drawn as its box where the console draws the game") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw();
+    ImGui::NewFrame();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const console::ToPixels same = [](Vec2 at) { return at; };
+    console::Pen outline(list, same, {});
+    outline.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 1}, false);
+    CHECK_FALSE(outline.drew_anything());  // an outline of its shape is drawn
+    console::Pen as_drawn(list, same, {.as_drawn = true});
+    as_drawn.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 0}, false);
+    CHECK_FALSE(as_drawn.drew_anything());
+    as_drawn.picture({}, {}, {0, 0}, {9, 9}, {1, 1, 1, 1}, false);
+    CHECK(as_drawn.drew_anything());
+    // A letter is drawn as its pixels: here two of its four, each a quad.
+    property::Picture letter(2, 2, std::vector<std::uint8_t>(16, 0));
+    letter.keep_on_pixels();
+    std::vector<std::uint8_t> pixels(16, 0);
+    pixels[3] = pixels[15] = 255;
+    letter.replace(2, 2, pixels);
+    console::Pen writing(list, same, {.as_drawn = true});
+    list.Flags = ImDrawListFlags_None;
+    const int before = list.VtxBuffer.Size;
+    writing.picture(letter, {0, 0, 2, 2}, {10, 20}, {30, 40}, {1, 0, 0, 1}, false);
+    REQUIRE(list.VtxBuffer.Size - before == 8);
+    CHECK(list.VtxBuffer[before].pos.x == 10);
+    CHECK(list.VtxBuffer[before].pos.y == 40);  // the world's y goes up: the first row is on top
+    CHECK(list.VtxBuffer[before + 4].pos.x == 20);
+    CHECK(list.VtxBuffer[before + 4].pos.y == 30);
+    ImGui::EndFrame();
 }
 
 }  // namespace outline_test

@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -166,6 +168,12 @@ bool GameWindow::prints(const std::string& text) {
 
 Picture GameWindow::settled() {
     constexpr int same_needed = 4, max_pictures = 40;
+    // Before the first picture of the game, the screen is black, which does not change either.
+    const auto is_drawn = [](const Picture& seen) {
+        return std::ranges::any_of(seen.rgb,
+                                   [&](std::uint8_t part) { return part != seen.rgb[0]; });
+    };
+    eventually([&] { return is_drawn(picture()); });
     Picture last = picture();
     int same = 0;
     for (int i = 0; i < max_pictures && same < same_needed; ++i) {
