@@ -113,7 +113,8 @@ const std::vector<Library>& libraries() {
         {"CLI11", std::regex("CLI/.*"), std::regex("CLI11::.*")},
         {"libedit", std::regex("histedit\\.h"), std::regex("fettle_libedit")},
         {"POSIX",
-         std::regex("(sys/.*|unistd|fcntl|dlfcn|link|poll|pthread|signal|spawn|termios)(\\.h)?"),
+         std::regex(
+             "(sys/.*|unistd|fcntl|dlfcn|link|poll|pthread|signal|spawn|stdio_ext|termios)(\\.h)?"),
          std::regex("dl")},
         {"intrinsics", std::regex("(immintrin|arm_neon)\\.h"),
          std::regex("")},  // from the compiler
