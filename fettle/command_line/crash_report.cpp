@@ -81,7 +81,7 @@ void on_crash(int number) {
     const char* reason = "it crashed";
     for (const CrashSignal& each : crash_signals)
         if (each.number == number) reason = each.reason;
-    write_last_words(reason);
+    report_sudden_end(reason);
     std::raise(number);  // the signal is delivered when this handler returns
 }
 
@@ -111,7 +111,7 @@ void report_crashes() {
     }
 }
 
-void write_last_words(const char* reason) noexcept {
+void report_sudden_end(const char* reason) noexcept {
     if (output_is_buffered) write_all(STDOUT_FILENO, {output_buffer.data(), __fpending(stdout)});
     if (const char* const text = collected_text.load(std::memory_order_relaxed))
         write_all(STDOUT_FILENO, {text, collected_size.load(std::memory_order_relaxed)});

@@ -15,7 +15,7 @@ void report_crashes();
 /// Writes out what was printed and a line "fettle: WORK: REASON", with the function of a native
 /// module that runs, if one does. It uses no lock and no memory of the heap, so it may be called in
 /// a signal handler and in any thread, whatever the others do.
-void write_last_words(const char* reason) noexcept;
+void report_sudden_end(const char* reason) noexcept;
 
 /// While it exists, the text that `is` was given last is written after what was printed: the output
 /// of a test, which is shown when the test ends.

@@ -59,7 +59,7 @@ void on_signal(int number) {
 void on_alarm(int) {
     alarms = alarms + 1;
     if (alarms > max_alarms) {
-        write_last_words("the run did not end in time: it ends at once");
+        report_sudden_end("the run did not end in time: it ends at once");
         ::_exit(status_of_signal(end_signal));
     }
     if (script::Runtime* runtime = interruptible.load()) runtime->interrupt();

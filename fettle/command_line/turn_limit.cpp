@@ -43,7 +43,7 @@ void TurnLimit::watch() {
                       "after step %llu, the game did not come back for %g seconds, and nothing "
                       "could stop it: the run ends at once",
                       static_cast<unsigned long long>(steps_), seconds_);
-        write_last_words(reason.data());
+        report_sudden_end(reason.data());
         ::_exit(script_error);
     }
 }

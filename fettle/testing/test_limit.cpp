@@ -18,7 +18,7 @@ namespace {
 [[noreturn]] void end_process(const char* format, double seconds) {
     std::array<char, 200> reason;
     std::snprintf(reason.data(), reason.size(), format, seconds);
-    write_last_words(reason.data());
+    report_sudden_end(reason.data());
     ::_exit(script_error);
 }
 
