@@ -28,7 +28,8 @@ double Waits::step_length() const {
 void Waits::begin(std::string_view who, script::Wait wait) {
     Waiting its{.wait = std::move(wait), .first = {}};
     its.until = now(who) + its.wait.seconds;
-    if (who.empty()) its.until += step_length();  // a frame without a step comes before the first
+    // A frame without a step comes before the first; half of a step, so that rounding adds none.
+    if (who.empty()) its.until += 0.5 * step_length();
     if (const auto& condition = its.wait.condition) {
         try {
             condition->compute_formulas();
