@@ -133,7 +133,8 @@ UndoResult History::run(Transaction& transaction, bool back) {
     // A module may clear a reference when its target is deleted, so all references are collected
     // before.
     const References references(*this, transaction.steps.size() > 1);
-    // Values of instances that this step makes are those at their deletion, all of one moment.
+    // Values of instances that this step makes or deletes are not listed: there may be many of
+    // them, and they are in no path of the tree.
     std::unordered_set<std::uint32_t> created_tops;
     for (const EditStep& step : transaction.steps)
         if (const auto* made = std::get_if<ExistenceEdit>(&step); made != nullptr && made->birth)
@@ -147,13 +148,17 @@ UndoResult History::run(Transaction& transaction, bool back) {
     };
     InstanceChanges instances(tree_, transaction);
     const auto one = [&](EditStep& step) {
-        if (is_born(step)) return;
+        const bool silent = is_born(step);
+        const std::size_t listed = result.changes.size(), more = result.more_changes;
         try {
             std::visit([&](auto& what) { apply(what, back, result); }, step);
         } catch (...) {  // the rest is undone all the same
             instances_.keep_slots = false;
             result.notes.push_back(exception_text());
         }
+        if (!silent) return;
+        result.changes.resize(listed);
+        result.more_changes = more;
     };
     if (back)
         for (auto step = transaction.steps.rbegin(); step != transaction.steps.rend(); ++step)
