@@ -3376,7 +3376,7 @@ function vec(x, y) end
 
 ---Inside a coroutine: continues after that much simulation time; real time in a function that a timer in real time has called. In a terminal (`fettle repl`): the next command runs after these seconds, or when the condition is true, after 60 seconds at most or as many as are given: `wait world.ball.position.y < 1`. wait() waits until the game is paused, as by `break_when`.
 ---@param seconds number
----@overload fun(condition?: string|fun(): any, seconds?: number)
+---@overload fun(condition?: string|function, seconds?: number)
 function wait(seconds) end
 
 ---Calls the function after a property that matches has changed: watch("world.*.velocity", handler).

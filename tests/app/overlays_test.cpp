@@ -53,15 +53,15 @@ TEST_CASE("blame names the last writer of an instance") {
 
 TEST_CASE("blame names the writers of thousands of instances in a frame") {
     Game game(
-        "for i = 1, 4000 do\n  world['b' .. i] = Body { type = 'static', position = vec(i, 0), "
-        "Circle {} }\nend");
+        "for i = 1, 4000 do\n  local b = Object {}\n  game['b' .. i] = b\n"
+        "  b.position = vec(i, 0)\n  b.mark = i\nend");
     game.set("view.show.blame", true);
     game.loop.turn();
     timespec begin{}, end{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
     const auto all = app::instance_writers(game.tree, app::tick);
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
-    CHECK(all.size() == 4000);
+    REQUIRE(all.size() >= 4000);
     CHECK(all.front().writer == "script");
     const double seconds = static_cast<double>(end.tv_sec - begin.tv_sec) +
                            1e-9 * static_cast<double>(end.tv_nsec - begin.tv_nsec);

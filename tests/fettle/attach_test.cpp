@@ -116,7 +116,9 @@ TEST_CASE("piped commands wait for a condition and for a break and for a time") 
     REQUIRE(running.ready());
     const Outcome outcome =
         attached(running.folder,
-                 "restart()\nwait 0.1\nwait world.ball.position.y < 49\nwait world.nothing\n"
+                 "world.gravity = vec(0, 0)\nworld.ball.velocity = vec(0, -0.1)\n"
+                 "world.ball.position = vec(0, 50)\nwait 0.1\nwait world.ball.position.y < "
+                 "49\nwait world.nothing\n"
                  "break_when world.ball.position.y < 40\nwait()\nworld.ball.position.y\n");
     INFO(outcome.out << outcome.err);
     CHECK(outcome.status == 0);

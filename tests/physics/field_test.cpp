@@ -251,8 +251,8 @@ TEST_CASE("a body that floats without drag swings for a minute and gains no heig
                 float lowest = 0.0f, highest = 0.0f;
                 for (int i = 0; i < 3600; ++i) {
                     world.step(frame);
-                    lowest = std::min(lowest, body.position().y);
-                    highest = std::max(highest, body.position().y);
+                    lowest = std::min(lowest, float(body.position().y));
+                    highest = std::max(highest, float(body.position().y));
                 }
                 INFO("density " << density << ", kind " << kind << ", angle " << angle);
                 CHECK(lowest > -3.03f);

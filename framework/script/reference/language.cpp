@@ -233,7 +233,7 @@ const std::vector<GlobalDoc>& global_docs() {
          "A vector or point; a copy of one; the zero vector."},
         {"wait",
          "wait(seconds: number)\n"
-         "wait(condition?: string|fun(): any, seconds?: number)",
+         "wait(condition?: string|function, seconds?: number)",
          "Inside a coroutine: continues after that much simulation time; real time in a function "
          "that a timer in real time has called. In a terminal (`fettle repl`): the next command "
          "runs after these seconds, or when the condition is true, after 60 seconds at most or as "

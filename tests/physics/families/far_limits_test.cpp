@@ -32,7 +32,8 @@ class FarLimit {
                             .body_b = b_.id(),
                             .anchor_a = {0, random(0, 0.4f)},
                             .anchor_b = {random(-0.4f, 0.4f), 0}};
-        const Vec2 way = b_.world_point(ends.anchor_b) - a_.world_point(ends.anchor_a);
+        const auto way =
+            Vec2(b_.world_point(Vec2(ends.anchor_b)) - a_.world_point(Vec2(ends.anchor_a)));
         // The axis is in coordinates of body a.
         const Vec2 axis = a_.local_vector(way / way.length());
         switch (int(random(0, 6))) {
@@ -99,8 +100,10 @@ class FarLimit {
     }
     void pulley(const JointDef& ends, Random& random) {
         PulleyJointDef def = ends;
-        def.ground_a = a_.world_point(ends.anchor_a) + (1 + 1.5f * gap_) * turned(random(-3, 3));
-        def.ground_b = b_.world_point(ends.anchor_b) + (1 + 1.5f * gap_) * turned(random(-3, 3));
+        def.ground_a =
+            Vec2(a_.world_point(Vec2(ends.anchor_a))) + (1 + 1.5f * gap_) * turned(random(-3, 3));
+        def.ground_b =
+            Vec2(b_.world_point(Vec2(ends.anchor_b))) + (1 + 1.5f * gap_) * turned(random(-3, 3));
         def.ratio = random(0.5f, 2);
         PulleyJoint made = world_.create_pulley_joint(def);
         made.set_length(made.length_now() - gap_ * std::min(1.0f, def.ratio));

@@ -67,7 +67,7 @@ TEST_CASE("a pendulum does not stop beside the vertical") {
         float greatest = 0;
         for (int i = 0; i < 1200; ++i) {
             world.step(1.0f / 60);
-            if (i > 600) greatest = std::max(greatest, std::fabs(bob.position().x));
+            if (i > 600) greatest = std::max(greatest, std::fabs(float(bob.position().x)));
         }
         const float beside = std::fabs(bob.position().x) / length;
         if (!bob.awake() && beside > 0.003f) ++stopped;
