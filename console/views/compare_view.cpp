@@ -104,7 +104,9 @@ void CompareView::draw_side(const Rect& place, const Comparison& runs, bool seco
     list.PushClipRect(place.low, place.high, true);
     const Comparison::Moment& own = (second ? runs.b() : runs.a())[shown_];
     const Comparison::Moment& other = (second ? runs.a() : runs.b())[shown_];
-    const Window window(place, own.seen);
+    // A run without a window has shown no part of the world.
+    const bool unseen = !(own.seen.upper.x > own.seen.lower.x);
+    const Window window(place, unseen && runs.seen ? runs.seen() : own.seen);
     const ToPixels to_pixels = [&](Vec2 at) { return window.pixels(at); };
     Pen pen(list, to_pixels, {.as_drawn = true, .pictures = &pictures});
     draw_moment(pen, runs.drawn(), own, false, [](std::uint32_t) { return true; });

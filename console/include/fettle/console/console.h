@@ -156,6 +156,7 @@ class Console : public app::Layer {
     /// None while the terminal waits, as `wait` has told it. Otherwise lines for it about the end
     /// of the wait, which are returned once.
     std::optional<std::vector<std::string>> waited(std::string_view who);
+    /// Ends the wait of a terminal, if it waits: `waited` then returns the lines about its end.
     void stop_waiting(std::string_view who);
 
     bool is_open() const;         ///< whether the player sees it
