@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fettle/property/error.h>
+#include <fettle/property/utf8.h>
 
 namespace fettle::maps {
 
@@ -53,10 +54,7 @@ std::size_t line_of(std::string_view text, std::size_t byte) {
 std::size_t column_of(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte, text.size()));
     const std::size_t line = before.rfind('\n');  // npos + 1 is 0
-    // A character of UTF-8 has one byte that does not continue it.
-    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-    const auto characters = std::ranges::count_if(before.substr(line + 1), begins);
-    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(characters, 1));
+    return std::max<std::size_t>(property::code_point_count(before.substr(line + 1)), 1);
 }
 
 Json parse_document(const std::string& file, std::string_view text) {

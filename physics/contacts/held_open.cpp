@@ -1,5 +1,6 @@
 #include <contacts/crushed_bodies.h>
 #include <contacts/held_open.h>
+#include <state/joint_kind.h>
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ class OpenJoint {
   public:
     OpenJoint(const ObjectState& objects, const Columns& columns, const JointRecord& joint)
         : objects_(objects), joint_(joint) {
-        const Vec2 gap = anchor(columns, 1) - anchor(columns, 0);
+        const Vec2 gap = place_of(columns, joint).gap();
         width_ = length(gap);
         if (width_ > 0.0f) outward_ = (1.0f / width_) * gap;
     }
@@ -57,10 +58,6 @@ class OpenJoint {
 
     bool is_dynamic(uint32_t body) const {
         return objects_.bodies[body].mobility == Mobility::dynamic;
-    }
-    Position anchor(const Columns& columns, size_t side) const {
-        const BodyState& state = columns.states[joint_.bodies[side]];
-        return state.position + rotate({state.cosine, state.sine}, Vec2(joint_.anchors[side]));
     }
     Push push_of(size_t side) const {
         const uint32_t body = joint_.bodies[side];

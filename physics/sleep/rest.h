@@ -26,6 +26,17 @@ inline float rest_speed(float sleep_speed, const BodyRecord& body) {
     return sleep_speed * size * size;
 }
 
+/// The speed of the fastest point of a body, m/s.
+inline float fastest_speed(const BodyRecord& body, const BodyState& state) {
+    return max(length(state.velocity), std::fabs(state.angular_velocity) * body.extent);
+}
+
+/// How far the center of a body and its farthest point around it have gone since `start`, which has
+/// a center and an angle, m.
+inline float way_since(const auto& start, const BodyRecord& body, float angle) {
+    return length(body.center - start.center) + std::fabs(angle - start.angle) * body.extent;
+}
+
 /// True if a body at rest tips over: it turns faster and faster, so it has turned less than it
 /// would have at its present speed. `turned`: the distance that its fastest point has moved around
 /// the center of mass since it came to rest, m; `turning`: the present speed of this point, m/s;
@@ -47,12 +58,9 @@ inline constexpr float hanging_over_sleep_speed = 0.05f;
 /// True if a body that no contact supports is at rest. `slow`: its speed of rest, m/s.
 inline bool hangs_still(float slow, const BodyRecord& body, const RestPose& rest,
                         const BodyState& state) {
-    const float speed =
-        max(length(state.velocity), std::fabs(state.angular_velocity) * body.extent);
-    const float moved =
-        length(body.center - rest.center) + std::fabs(state.angle - rest.angle) * body.extent;
     const float still = hanging_over_sleep_speed * slow;
-    return speed <= still && moved <= still * body.sleep_time;
+    return fastest_speed(body, state) <= still &&
+           way_since(rest, body, state.angle) <= still * body.sleep_time;
 }
 
 /// Counts the time that the body is at rest: slower than `sleep_speed` (m/s). `angle`: of the body,
@@ -70,8 +78,8 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
     }
     const bool begins = body.sleep_time == 0.0f;
     const auto turned = [&] { return (angle - rest.angle) * body.extent; };
-    const auto moved = [&] { return length(body.center - rest.center) + std::fabs(turned()); };
-    if (begins || (jerks && moved() > mean_over_sleep_speed * slow * size * sleep_delay)) {
+    if (begins || (jerks && way_since(rest, body, angle) >
+                                mean_over_sleep_speed * slow * size * sleep_delay)) {
         rest = {body.center, angle};
         body.sleep_time = 0.0f;
     }

@@ -1,3 +1,4 @@
+#include <sleep/rest.h>
 #include <sleep/rocking.h>
 
 #include <algorithm>
@@ -24,10 +25,6 @@ constexpr float most_of_way = 0.8f;
 /// Damping of the velocity, 1/s.
 constexpr float calming = 2.0f;
 
-float fastest_speed(const BodyRecord& body, const BodyState& state) {
-    return max(length(state.velocity), std::fabs(state.angular_velocity) * body.extent);
-}
-
 }  // namespace
 
 bool is_fast(const BodyRecord& body, const BodyState& state, float slow) {
@@ -41,8 +38,7 @@ Stay begun_stay(uint32_t slot, const BodyRecord& body, const BodyState& state) {
 bool continue_stay(Stay& stay, const BodyRecord& body, const BodyState& state, float slow,
                    float passed) {
     const float speed = fastest_speed(body, state);
-    const float moved =
-        length(body.center - stay.center) + std::fabs(state.angle - stay.angle) * body.extent;
+    const float moved = way_since(stay, body, state.angle);
     if (moved > farthest * slow || speed > sudden * max(stay.fastest, slow)) return false;
     stay.time += passed;
     stay.fastest = max(stay.fastest, speed);

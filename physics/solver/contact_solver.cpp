@@ -184,36 +184,18 @@ void ContactSolver::solve_biased() {
     for (ContactConstraint& c : constraints) solve_biased(c);
 }
 
-void ContactSolver::relax() {
-    for (ContactConstraint& c : constraints) {
-        relax(c);
-        if (c.extra != 0) extras[c.extra - 1].record(c);
-    }
+void ContactSolver::relax_and_record(ContactConstraint& c) const {
+    relax(c);
+    if (c.extra != 0) extras[c.extra - 1].record(c);
 }
 
-bool ContactSolver::bounces_later(const ContactConstraint& c) const {
-    if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) return false;
-    const SolverBody &a = bodies[c.a], &b = bodies[c.b];
-    bool fast = false;
-    for (int k = 0; k < c.count; ++k) {
-        const ConstraintPoint& p = c.points[k];
-        const auto along = [&](Vec2 of_a, float turn_a, Vec2 of_b, float turn_b) {
-            return dot(c.normal, of_b - of_a) +
-                   (p.normal_lever_b * turn_b - p.normal_lever_a * turn_a);
-        };
-        if (!(p.separation + along(a.shift, a.turn, b.shift, b.turn) > 0.0f)) return false;
-        fast |= along(a.velocity, a.angular_velocity, b.velocity, b.angular_velocity) <
-                -restitution_threshold;
-    }
-    return fast;
+void ContactSolver::relax() {
+    for (ContactConstraint& c : constraints) relax_and_record(c);
 }
 
 void ContactSolver::relax_at_end() {
-    for (ContactConstraint& c : constraints) {
-        if (bounces_later(c)) continue;
-        relax(c);
-        if (c.extra != 0) extras[c.extra - 1].record(c);
-    }
+    for (ContactConstraint& c : constraints)
+        if (!bounces_later(c)) relax_and_record(c);
 }
 
 void ContactSolver::solve_biased(std::span<const uint32_t> some) {

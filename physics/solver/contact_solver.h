@@ -52,11 +52,12 @@ struct ContactSolver {
     void relax(std::span<const uint32_t> some);
     /// Called after all sub-steps, for hits that `bounce` did not predict: shapes that hit fast
     /// enough get their restitution times the approach velocity as separation velocity.
-    void restitute(int substeps);
+    void restitute();
 
   private:
     void solve_biased(ContactConstraint& c) const;
     void relax(ContactConstraint& c) const;
+    void relax_and_record(ContactConstraint& c) const;
     bool bounces_later(const ContactConstraint& c) const;
     void follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const;
     const Corner* corner_of(const ContactConstraint& c) const;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <solver/solvers.h>
+#include <state/step_scratch.h>
 
 #include <span>
 #include <vector>

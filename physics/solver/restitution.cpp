@@ -78,30 +78,30 @@ float velocity_at(const ContactConstraint& c, int point, const SolverBody& a, co
            (p.normal_lever_b * b.angular_velocity - p.normal_lever_a * a.angular_velocity);
 }
 
-/// What moves along the tangent of a corner moves away from it, too.
-struct Passing {
-    float opening = 0.0f;  ///< what that adds to the gap by the end of the step, m
-    float velocity;        ///< along the normal, when the gap closes, m/s
+/// What moving along the tangent of a corner adds to the gap by the end of the step, m. `velocity`:
+/// the present one along the normal, m/s.
+float opening_at_corner(const ContactConstraint& c, const ContactExtra& extra, float velocity,
+                        const SolverBody& a, const SolverBody& b, float dt) {
+    if (extra.corner.distance == 0.0f || !(velocity < 0.0f)) return 0.0f;
+    const SolverBody at_start;
+    return path_around(extra.corner, c.normal, at_start, at_start, PairMotion(a, b), 0.0f, velocity,
+                       dt)
+        .opening;
+}
 
-    /// `velocity`: the present one at the point.
-    Passing(const ContactConstraint& c, const ContactExtra& extra, int point, float now,
-            const SolverBody& a, const SolverBody& b, float dt)
-        : velocity(now) {
-        const Corner& corner = extra.corner;
-        if (corner.distance == 0.0f || !(now < 0.0f)) return;
-        const float slip =
-            dot(right_perp(c.normal), b.velocity - a.velocity) +
-            (corner.lever_b * b.angular_velocity - corner.lever_a * a.angular_velocity);
-        const SolverBody at_start;
-        opening = path_around(corner, c.normal, at_start, at_start, PairMotion(a, b), 0.0f, now, dt)
-                      .opening;
-        // On a straight path, the speed along the normal is √(v² - u²·(d² - r²)/r²) where the
-        // distance of the cores, now d, is r.
-        const float gap = max(c.points[point].separation, 0.0f), radius = corner.distance - gap;
-        const float bend = gap * (corner.distance + radius) / max(radius * radius, 1e-12f);
-        velocity = -std::sqrt(max(now * now - slip * slip * bend, 0.0f));
-    }
-};
+/// The velocity along the normal when the gap at a point closes, m/s. `velocity`: the present one.
+float closing_velocity(const ContactConstraint& c, const ContactExtra& extra, int point,
+                       float velocity, const SolverBody& a, const SolverBody& b) {
+    const Corner& corner = extra.corner;
+    if (corner.distance == 0.0f || !(velocity < 0.0f)) return velocity;
+    // On a straight path with the speed u along the tangent, it is √(v² - u²·(d² - r²)/r²) where
+    // the distance of the cores, now d, is r.
+    const float u = dot(right_perp(c.normal), b.velocity - a.velocity) +
+                    (corner.lever_b * b.angular_velocity - corner.lever_a * a.angular_velocity);
+    const float gap = max(c.points[point].separation, 0.0f), radius = corner.distance - gap;
+    const float bend = gap * (corner.distance + radius) / max(radius * radius, 1e-12f);
+    return -std::sqrt(max(velocity * velocity - u * u * bend, 0.0f));
+}
 
 void push(const ContactConstraint& c, int point, float impulse, std::span<SolverBody> bodies) {
     const ConstraintPoint& p = c.points[point];
@@ -139,20 +139,20 @@ struct Meeting {
             float dt, float threshold) {
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
-            const Passing passing(c, extra, k, extra.approach[k], a, b, dt);
-            const float velocity = extra.approach[k], gap = p.separation + passing.opening;
+            const float velocity = extra.approach[k];
+            const float gap = p.separation + opening_at_corner(c, extra, velocity, a, b, dt);
+            const float closing = closing_velocity(c, extra, k, velocity, a, b);
             // Forces change it by this much in a sub-step.
             const float change =
                 dot(c.normal, fb.change - fa.change) +
                 (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
             const float mean = velocity + 0.5f * float(substeps + 1) * change;
-            meets[k] =
-                passing.velocity < -threshold && gap + dt * mean < 0.0f && p.normal_mass > 0.0f;
+            meets[k] = closing < -threshold && gap + dt * mean < 0.0f && p.normal_mass > 0.0f;
             if (meets[k]) time = min(time, gap / (-dt * mean));
             // Velocities are those half a sub-step before their positions. Without this term, every
             // bounce would lose the work of the forces in a sub-step.
-            const float v = extra.restitution > 0.0f ? passing.velocity + 0.5f * change
-                                                     : velocity + max(gap, 0.0f) / dt;
+            const float v =
+                extra.restitution > 0.0f ? closing + 0.5f * change : velocity + max(gap, 0.0f) / dt;
             wanted[k] = -(1.0f + extra.restitution) * v;
         }
     }
@@ -371,9 +371,22 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
     return true;
 }
 
-void ContactSolver::restitute(int substeps) {
+bool ContactSolver::bounces_later(const ContactConstraint& c) const {
+    if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) return false;
+    const SolverBody &a = bodies[c.a], &b = bodies[c.b];
+    bool fast = false;
+    for (int k = 0; k < c.count; ++k) {
+        const ConstraintPoint& p = c.points[k];
+        const float gap = p.separation + dot(c.normal, b.shift - a.shift) +
+                          (p.normal_lever_b * b.turn - p.normal_lever_a * a.turn);
+        if (!(gap > 0.0f)) return false;
+        fast |= velocity_at(c, k, a, b) < -restitution_threshold;
+    }
+    return fast;
+}
+
+void ContactSolver::restitute() {
     if (extras.empty()) return;
-    const float dt = float(substeps) / inverse_h;
     for (ContactConstraint& c : constraints) {
         if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
         ContactExtra& extra = extras[c.extra - 1];
@@ -381,8 +394,7 @@ void ContactSolver::restitute(int substeps) {
         bool hits[2] = {};
         for (int k = 0; k < c.count; ++k) {
             const SolverBody &a = bodies[c.a], &b = bodies[c.b];
-            const Passing passing(c, extra, k, extra.approach[k], a, b, dt);
-            const float approach = passing.velocity;
+            const float approach = closing_velocity(c, extra, k, extra.approach[k], a, b);
             wanted[k] = -extra.restitution * approach - velocity_at(c, k, a, b);
             hits[k] = approach <= -restitution_threshold && extra.greatest[k] > 0.0f &&
                       wanted[k] > 0.0f && c.points[k].normal_mass > 0.0f;

@@ -267,15 +267,17 @@ struct alignas(cache_line_size) FirstBlock {
         serial_of(nodes).solve_biased();
         step.pass(step.kernels.solve_biased, section, wide);
     }
-    void relax(uint32_t section, const StripNodes& nodes) const {
+    void relax_with(void (ContactSolver::*relax_serial)(), uint32_t section,
+                    const StripNodes& nodes) const {
         pass_joints_of(nodes, &JointKind::relax, &ContactSolver::relax);
-        serial_of(nodes).relax();
+        (serial_of(nodes).*relax_serial)();
         step.pass(step.kernels.relax, section, wide);
     }
+    void relax(uint32_t section, const StripNodes& nodes) const {
+        relax_with(&ContactSolver::relax, section, nodes);
+    }
     void relax_and_store(uint32_t section, const StripNodes& nodes) const {
-        pass_joints_of(nodes, &JointKind::relax, &ContactSolver::relax);
-        serial_of(nodes).relax_at_end();
-        step.pass(step.kernels.relax, section, wide);
+        relax_with(&ContactSolver::relax_at_end, section, nodes);
         step.store_section(section, wide);
     }
     void bounce(const SolverBlock& block) const {
@@ -308,11 +310,8 @@ struct alignas(cache_line_size) FirstBlock {
         }
     }
     void restitute(const SolverBlock& block) const {
-        const int substeps = step.input.settings.substeps;
-        step.section_loop(block,
-                          [this, substeps](uint32_t, const StripNodes& nodes) {
-                              serial_of(nodes).restitute(substeps);
-                          })
+        step.section_loop(
+                block, [this](uint32_t, const StripNodes& nodes) { serial_of(nodes).restitute(); })
             .run();
     }
 };

@@ -136,9 +136,7 @@ class Squeezes {
         const float least = max(length(own.velocity), input_.settings.push_speed);
         Most most = {least, max(least / extent, std::fabs(own.turn))};
         if (is_slow(most)) return false;
-        add_touched(index, most);
-        most.turn = max(most.turn, most.speed / extent);
-        add_bounces(index, own, most);
+        add_touched(index, own, extent, most);
         if (is_slow(most)) return false;
         const auto scale = [](float value, float limit) {
             return value > limit ? limit / value : 1.0f;
@@ -257,16 +255,9 @@ class Squeezes {
             const JointRecord& joint = input_.objects.joints[slot];
             const auto separation = joint_kind(joint.type).separation;
             if (open || separation == nullptr || !joint.moves()) return;
-            const BodyState& a = columns_.states[joint.bodies[0]];
-            const JointPlace place = {
-                anchor(joint, 0), anchor(joint, 1), {a.cosine, a.sine}, joint.anchors[0]};
-            open = separation(joint, place) > least;
+            open = separation(joint, place_of(columns_, joint)) > least;
         });
         return open;
-    }
-    Position anchor(const JointRecord& joint, size_t side) const {
-        const BodyState& state = columns_.states[joint.bodies[side]];
-        return state.position + rotate({state.cosine, state.sine}, Vec2(joint.anchors[side]));
     }
     static Vec2 normal_from(uint32_t body, const ContactRecord& c) {
         return body == c.body_a ? c.manifold.normal : -c.manifold.normal;
@@ -323,44 +314,37 @@ class Squeezes {
         }
         return most;
     }
-    /// Adds what the body can get from what it touches, and from joints.
-    void add_touched(uint32_t index, Most& most) {
+    /// Adds what the body can get from what it touches, also in one impact with restitution, and
+    /// from joints.
+    void add_touched(uint32_t index, const FreeMotion& own, float extent, Most& most) {
         const ObjectState& objects = input_.objects;
         const uint32_t body = body_at(index);
-        most.speed = max(most.speed, pressing_);
+        const float v = length(own.velocity), w = std::fabs(own.turn);
+        const float arm = min(std::sqrt(gyration_of(input_.bodies.solver_bodies[index])), extent);
+        float carried = max(most.speed, pressing_);
         for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
             const ContactRecord& c = objects.contacts[contact.slot];
-            most.speed = max(most.speed, speed_of_other(c, body) + std::fabs(c.surface_speed));
-        }
-        objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
-            const JointRecord& record = objects.joints[joint];
-            const FreeMotion motion = FreeMotion::of(input_, columns_, record.bodies[side ^ 1]);
-            const BodyRecord& other = objects.bodies[record.bodies[side ^ 1]];
-            most.speed = max(most.speed,
-                             max(length(motion.velocity), std::fabs(motion.turn) * other.extent));
-        });
-    }
-    /// Adds what one impact with restitution can make of the motion of the body and of what it
-    /// touches.
-    void add_bounces(uint32_t index, const FreeMotion& own, Most& most) {
-        const uint32_t body = body_at(index);
-        const float v = length(own.velocity), w = std::fabs(own.turn);
-        const float arm = min(std::sqrt(gyration_of(input_.bodies.solver_bodies[index])),
-                              max(input_.objects.bodies[body].extent, 1e-6f));
-        for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
-            const ContactRecord& c = input_.objects.contacts[contact.slot];
+            const float other = speed_of_other(c, body), belt = std::fabs(c.surface_speed);
+            carried = max(carried, other + belt);
             const float e = c.restitution;
             if (!(e > 0.0f)) continue;
-            const float other = speed_of_other(c, body);
             // With the lever arm r and the radius of gyration k, an impact changes the velocity of
             // the center by (1 + e)·k²/(k² + r²) of the approach, and k·ω by (1 + e)·k·r/(k² + r²)
             // of it. The second factor is at most a half of 1 + e.
             const float gained = (1.0f + e) * (other + 0.5f * arm * w);
             most.speed =
-                max(most.speed, std::sqrt(v * v + 2.0f * e * v * gained + gained * gained) +
-                                    std::fabs(c.surface_speed));
+                max(most.speed, std::sqrt(v * v + 2.0f * e * v * gained + gained * gained) + belt);
             most.turn = max(most.turn, w + 0.5f * (1.0f + e) * (v + other) / arm);
         }
+        objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
+            const JointRecord& record = objects.joints[joint];
+            const FreeMotion motion = FreeMotion::of(input_, columns_, record.bodies[side ^ 1]);
+            const BodyRecord& other = objects.bodies[record.bodies[side ^ 1]];
+            carried =
+                max(carried, max(length(motion.velocity), std::fabs(motion.turn) * other.extent));
+        });
+        most.speed = max(most.speed, carried);
+        most.turn = max(most.turn, carried / extent);
     }
 
     const SolverInput& input_;

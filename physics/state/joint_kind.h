@@ -38,6 +38,16 @@ struct JointPlace {
     Vec2 gap() const { return anchor_b - anchor_a; }
 };
 
+/// Where the ends of a joint are now.
+inline JointPlace place_of(const Columns& columns, const JointRecord& joint) {
+    const auto anchor = [&](size_t side) {
+        const BodyState& state = columns.states[joint.bodies[side]];
+        return state.position + rotate({state.cosine, state.sine}, Vec2(joint.anchors[side]));
+    };
+    const BodyState& a = columns.states[joint.bodies[0]];
+    return {anchor(0), anchor(1), {a.cosine, a.sine}, joint.anchors[0]};
+}
+
 struct JointKind {
     const char* name;
     size_t constraint_size;
