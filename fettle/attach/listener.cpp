@@ -15,6 +15,7 @@
 
 #include <attach/protocol.h>
 #include <attach/socket_address.h>
+#include <command_line/terminal.h>
 #include <files/game_path.h>
 
 namespace fettle::program {
@@ -275,8 +276,7 @@ void Listener::end_waits() {
         std::optional<std::vector<std::string>> lines{std::in_place};
         if (callbacks_.waited) lines = callbacks_.waited(who);
         if (!lines) continue;
-        for (const std::string& line : *lines)
-            each.out += print_text(line.starts_with("✗") ? line : "  " + line);
+        for (const std::string& line : *lines) each.out += print_text(line_after_answer(line));
         each.out += std::exchange(each.answer, {});
     }
 }

@@ -107,14 +107,23 @@ void print_line_of_answer(std::string_view text, bool of_error) {
     print_line(text);
 }
 
+bool is_error(std::string_view line_of_answer) {
+    return line_of_answer.starts_with("✗");
+}
+
 }  // namespace
 
 void print_answer(const std::vector<std::string>& lines) {
     bool of_error = false;
     for (const std::string& line : lines) {
-        of_error = of_error || line.starts_with("✗");
+        of_error = of_error || is_error(line);
         print_line_of_answer(line, of_error);
     }
+}
+
+std::string line_after_answer(std::string line) {
+    if (!is_error(line)) line.insert(0, "  ");
+    return line;
 }
 
 bool all_printed() {

@@ -23,6 +23,9 @@ void print_line(std::string_view text);
 /// Writes the lines of an answer of the console (`lines_of`): in the console's colors if stdout is
 /// a terminal, NO_COLOR is not set, and TERM is not "dumb".
 void print_answer(const std::vector<std::string>& lines);
+/// A line that a command has led to after its answer, as a terminal shows it: indented like an
+/// answer, unless it is an error.
+std::string line_after_answer(std::string line);
 /// Flushes stdout. If that fails, reports the error and returns false.
 bool all_printed();
 

@@ -106,8 +106,7 @@ class Repl : private CommandRunner {
             }
             loop.turn();
         }
-        for (const std::string& line : *lines)
-            print_line(line.starts_with("✗") ? line : "  " + line);
+        for (const std::string& line : *lines) print_line(line_after_answer(line));
     }
 
     /// In a terminal, Ctrl+C stops the command with an error.

@@ -1,7 +1,6 @@
 #include <session/session.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -23,8 +22,6 @@
 namespace fettle::program {
 
 namespace {
-
-constexpr std::array<std::string_view, 5> image_endings = {".png", ".jpg", ".jpeg", ".bmp", ".tga"};
 
 /// The game. Throws FileError if it is not trusted and has native modules, before these run.
 const std::filesystem::path& without_modules_in_sandbox(const RunOptions& options) {
@@ -131,7 +128,8 @@ void Session::read_settings() {
     settings_ = property::read_game_settings(files_, options_.game, FETTLE_VERSION);
     if (settings_.icon.empty()) return;
     try {
-        files_.note_read(assets_.find(settings_.icon_at + ": icon", settings_.icon, image_endings));
+        files_.note_read(
+            assets_.find(settings_.icon_at + ": icon", settings_.icon, property::icon_endings));
     } catch (const property::Error& error) {
         throw FileError(error.what());
     }
@@ -144,7 +142,7 @@ std::uint64_t Session::seed() const {
 std::string Session::icon() {
     const std::string& name = services_->view.window.icon;
     if (name.empty()) return {};
-    return assets_.read("view.window.icon", name, image_endings);
+    return assets_.read("view.window.icon", name, property::icon_endings);
 }
 
 void Session::set_screen(const property::Vec2& size) {
@@ -430,7 +428,7 @@ void Session::print_from_option(const std::string& text) {
 /// Prints what a command has led to after its answer, such as the result of a search, where its
 /// answer was printed: that is not known, so in each terminal.
 void Session::print_result(const std::string& line) {
-    const std::string indented = line.starts_with("✗") ? line : "  " + line;
+    const std::string indented = line_after_answer(line);
     if (options_.headless) print_line(indented);
     if (listener_) listener_->print(indented);
 }

@@ -136,11 +136,10 @@ std::string read_id(SettingsReader& reader, const Document::Node& node) {
 }
 
 void read_icon(SettingsReader& reader, const Document::Node& node, GameSettings& settings) {
-    constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".bmp", ".tga"};
     settings.icon = reader.text(node);
     settings.icon_at = reader.place(node);
     const std::string ending = fs::path(settings.icon).extension().string();
-    if (!settings.icon.empty() && std::ranges::find(endings, ending) == std::end(endings))
+    if (!settings.icon.empty() && std::ranges::find(icon_endings, ending) == icon_endings.end())
         reader.refuse(node, "an image (.png, .jpg, .jpeg, .bmp or .tga)");
 }
 

@@ -2,6 +2,7 @@
 // The file `game.json` of a game: name, version, window and other settings that are needed before
 // its scripts run. Also the settings that a player has made, in a file that the next run reads.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -31,6 +32,10 @@ struct WindowSettings {
     std::optional<bool> resizable{};
     std::optional<bool> vsync{};
 };
+
+/// How the names of images end that an icon may be.
+inline constexpr std::array<std::string_view, 5> icon_endings = {".png", ".jpg", ".jpeg", ".bmp",
+                                                                 ".tga"};
 
 struct GameSettings {
     static constexpr std::int64_t most_memory = 1'000'000;  // MB
