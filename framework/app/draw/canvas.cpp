@@ -27,8 +27,9 @@ void multiply_by_opacity(std::vector<CanvasVertex>& vertices) {
 }  // namespace
 
 Canvas::Canvas(sf::RenderTarget& target) : target_(target) {
-    (void)target_.setActive(true);
-    if (sfml::has_quads && sfml::renders_in_software()) pictures_.keep_texels();
+    // Without an active target, the renderer is not known.
+    if (target_.setActive(true) && sfml::has_quads && sfml::renders_in_software())
+        pictures_.keep_texels();
 }
 
 // --- A frame -------------------------------------------------------------------------------------
