@@ -12,6 +12,13 @@ namespace fettle::physics::detail {
 /// The greatest impulse of a contact that is stored from step to step, N s.
 inline constexpr float greatest_impulse = 1e30f;
 
+/// A contact is unsettled if a relax pass changes the velocity at one of its points by more than
+/// this, m/s: then other contacts of its bodies are not solved any more.
+inline constexpr float unsettling_change = 0.2f;
+
+/// What the last relax pass did to a contact.
+enum class Relaxed : uint8_t { left_out, settled, unsettled };
+
 /// One point of a contact. The rows of the Jacobian are stored as their lever arms: r×n and r×t of
 /// both bodies. The separation follows the bodies to first order, s = s₀ + n·Δd + (r_b×n)·Δθ_b -
 /// (r_a×n)·Δθ_a. This is exact for rolling circles and needs the same dot products as the velocity.

@@ -59,6 +59,8 @@ struct WideBlock {
     /// The contacts that pushed in some sub-step, one bit for each lane. An impact that nothing
     /// presses on is over before the step is.
     std::vector<uint32_t> pushed;
+    /// The contacts at which the last relax pass changed a velocity much, one bit for each lane.
+    std::vector<uint32_t> unsettled;
     std::size_t first = 0;  ///< index of the first group in `contacts`, counted over all blocks
 
     /// Makes room for groups `begin` to `end`; they still have the data of an earlier block.
@@ -66,13 +68,15 @@ struct WideBlock {
         first = begin;
         if (contacts.size() < end - begin) contacts.resize(end - begin), lanes.resize(end - begin);
         pushed.assign(end - begin, 0);
+        unsettled.assign(end - begin, 0);
     }
     WideContact* contacts_of(std::size_t group) { return contacts.data() + (group - first); }
     ContactLanes* lanes_of(std::size_t group) { return lanes.data() + (group - first); }
     uint32_t* pushed_of(std::size_t group) { return pushed.data() + (group - first); }
+    uint32_t* unsettled_of(std::size_t group) { return unsettled.data() + (group - first); }
 
     static void scratch(auto& io, auto& self) {
-        io(self.contacts), io(self.lanes), io(self.pushed);
+        io(self.contacts), io(self.lanes), io(self.pushed), io(self.unsettled);
     }
 };
 
@@ -85,7 +89,8 @@ struct PrepareStep {
 struct WideStep {
     SolverBody* bodies = nullptr;
     WideContact* contacts = nullptr;
-    uint32_t* pushed = nullptr;  ///< of each group: `WideBlock::pushed`
+    uint32_t* pushed = nullptr;     ///< of each group: `WideBlock::pushed`
+    uint32_t* unsettled = nullptr;  ///< of each group: `WideBlock::unsettled`
     std::size_t count = 0;
     float inverse_h = 0.0f;
     float push_speed = 0.0f;  ///< of the world, m/s

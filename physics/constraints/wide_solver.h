@@ -39,9 +39,15 @@ struct Row {
     Wide total(Wide velocity) const { return greater(kept - mass * (velocity + bias), Wide{}); }
 };
 
-/// Returns the sum of the impulses of both points.
+/// The result of a pass along the normals.
+struct NormalPass {
+    Wide pushes;        ///< sum of the impulses of both points
+    WideInt unsettled;  ///< see `unsettling_change`
+};
+
 template <bool biased>
-inline Wide solve_normals(WideContact& c, int at, Bodies& a, Bodies& b, const WideStep& step) {
+inline NormalPass solve_normals(WideContact& c, int at, Bodies& a, Bodies& b,
+                                const WideStep& step) {
     const Wide nx = load(c.normal_x + at), ny = load(c.normal_y + at);
     const Wide approach = nx * (b.vx - a.vx) + ny * (b.vy - a.vy);
     const Wide shift = nx * (b.dx - a.dx) + ny * (b.dy - a.dy);
@@ -64,7 +70,10 @@ inline Wide solve_normals(WideContact& c, int at, Bodies& a, Bodies& b, const Wi
     store(q.normal_impulse + at, new2);
     const Wide i1 = new1 - old1, i2 = new2 - old2;
     apply(a, b, nx, ny, i1 + i2, pa * i1 + qa * i2, pb * i1 + qb * i2);
-    return new1 + new2;
+    const auto is_large = [&](Wide change, const WidePoint& point) {
+        return greater(change, -change) > splat(unsettling_change) * load(point.normal_mass + at);
+    };
+    return {new1 + new2, is_large(i1, p) | is_large(i2, q)};
 }
 
 inline Wide solve_tangent(WidePoint& p, int at, Wide velocity, Wide friction) {
@@ -125,8 +134,10 @@ void solve_biased(const WideStep& step) {
 
 void relax(const WideStep& step) {
     for_each_group(step, [&step](WideContact& c, int at, Bodies& a, Bodies& b, std::size_t i) {
-        const Wide pushes = solve_normals<false>(c, at, a, b, step);
-        step.pushed[i] |= bits(pushes > Wide{}) << at;
+        const NormalPass normals = solve_normals<false>(c, at, a, b, step);
+        step.pushed[i] |= bits(normals.pushes > Wide{}) << at;
+        const uint32_t before = at == 0 ? 0 : step.unsettled[i];
+        step.unsettled[i] = before | bits(normals.unsettled) << at;
         solve_friction(c, at, a, b);
     });
 }

@@ -351,8 +351,7 @@ void choose_bouncing(const ObjectState& objects, const ActiveLists& active,
     });
 }
 
-/// For each solver body: 0 if it has no acting joint, otherwise 1 + the load of its joints. Empty
-/// if there is no acting joint or no awake contact.
+/// See `ContactScratch::jointed`.
 std::vector<uint8_t> jointed_bodies(const ObjectState& objects, const ActiveLists& active,
                                     const BodyScratch& bodies, const JointScratch& joints) {
     std::vector<uint8_t> jointed;
@@ -403,7 +402,8 @@ void find_acting(const ObjectState& objects, const ActiveLists& active, const Bo
     const size_t count = awake.size();
     const bool any_hubs = !schedule.hubs.empty();
     const bool blocks_stay = blocks.may_be_linked(active.awake_bodies);
-    const std::vector<uint8_t> jointed =
+    const std::vector<uint8_t>& jointed = scratch.jointed;
+    scratch.jointed =
         groups ? jointed_bodies(objects, active, bodies, joints) : std::vector<uint8_t>();
     acting.resize(count);
     scratch.acting_pieces.resize((count + piece_length - 1) / piece_length);

@@ -77,9 +77,13 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
         return;
     }
     const bool begins = body.sleep_time == 0.0f;
+    // Corrections of overlaps move a body without velocity. At the speed of rest, its center and
+    // its farthest point go no farther than this.
+    const float way = begins ? 0.0f : way_since(rest, body, angle);
+    const bool is_corrected = way > 2.0f * slow * body.sleep_time;
     const auto turned = [&] { return (angle - rest.angle) * body.extent; };
-    if (begins || (jerks && way_since(rest, body, angle) >
-                                mean_over_sleep_speed * slow * size * sleep_delay)) {
+    if (begins || is_corrected ||
+        (jerks && way > mean_over_sleep_speed * slow * size * sleep_delay)) {
         rest = {body.center, angle};
         body.sleep_time = 0.0f;
     }

@@ -1,6 +1,8 @@
 #include <solver/contact_solver.h>
 #include <solver/solved_pair.h>
 
+#include <cmath>
+
 // Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005) on small steps
 // with soft contacts (E. Catto, "Solver2D", 2024: "soft step"). Two points are solved one after the
 // other, but the effect of the first on the relative velocity of the second is computed in advance
@@ -111,6 +113,16 @@ inline void solve_rolling(ContactConstraint& c, ContactExtra& extra, SolvedPair&
     pair.wb += pair.ib * impulse;
 }
 
+/// True if a pass changed the velocity at a point much: see `unsettling_change`. `old`: the
+/// impulses before it.
+bool changes_much(const ContactConstraint& c, const float (&old)[2]) {
+    const auto at = [&](int k) {
+        const ConstraintPoint& p = c.points[k];
+        return std::fabs(p.normal_impulse - old[k]) > unsettling_change * p.normal_mass;
+    };
+    return at(0) || at(1);
+}
+
 }  // namespace
 
 void ContactSolver::follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const {
@@ -162,11 +174,12 @@ void ContactSolver::solve_biased(ContactConstraint& c) const {
     pair.store(a, b);
 }
 
-void ContactSolver::relax(ContactConstraint& c) const {
+Relaxed ContactSolver::relax(ContactConstraint& c) const {
     SolverBody& a = bodies[c.a];
     SolverBody& b = bodies[c.b];
     follow(c, a, b);
     SolvedPair pair(c, a, b);
+    const float old[2] = {c.points[0].normal_impulse, c.points[1].normal_impulse};
     solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
     c.pushed |=
         c.points[0].normal_impulse > 0.0f || (c.count > 1 && c.points[1].normal_impulse > 0.0f);
@@ -178,24 +191,36 @@ void ContactSolver::relax(ContactConstraint& c) const {
         solve_friction(c, pair, extra.surface_speed, extra.impact);
     }
     pair.store(a, b);
+    return changes_much(c, old) ? Relaxed::unsettled : Relaxed::settled;
 }
 
 void ContactSolver::solve_biased() {
     for (ContactConstraint& c : constraints) solve_biased(c);
 }
 
-void ContactSolver::relax_and_record(ContactConstraint& c) const {
-    relax(c);
-    if (c.extra != 0) extras[c.extra - 1].record(c);
-}
-
 void ContactSolver::relax() {
-    for (ContactConstraint& c : constraints) relax_and_record(c);
+    for (size_t i = 0; i < constraints.size(); ++i) relaxed[i] = relax(constraints[i]);
 }
 
 void ContactSolver::relax_at_end() {
-    for (ContactConstraint& c : constraints)
-        if (!bounces_later(c)) relax_and_record(c);
+    for (size_t i = 0; i < constraints.size(); ++i)
+        relaxed[i] = bounces_later(constraints[i]) ? Relaxed::left_out : relax(constraints[i]);
+}
+
+void ContactSolver::relax_again(UnsettledContacts& unsettled) {
+    for (size_t i = 0; i < constraints.size(); ++i) {
+        ContactConstraint& c = constraints[i];
+        if (relaxed[i] == Relaxed::left_out || !unsettled.are_relaxed(c.a, c.b)) continue;
+        relaxed[i] = relax(c);
+        if (relaxed[i] == Relaxed::unsettled) unsettled.leave(c.a, c.b);
+    }
+}
+
+void ContactSolver::record() {
+    for (size_t i = 0; i < constraints.size(); ++i) {
+        const ContactConstraint& c = constraints[i];
+        if (c.extra != 0 && relaxed[i] != Relaxed::left_out) extras[c.extra - 1].record(c);
+    }
 }
 
 void ContactSolver::solve_biased(std::span<const uint32_t> some) {

@@ -2,6 +2,7 @@
 
 #include <constraints/contact_constraint.h>
 #include <constraints/rolling_contact.h>
+#include <partition/unsettled_contacts.h>
 
 #include <span>
 
@@ -21,6 +22,7 @@ struct ContactSolver {
     std::span<ContactConstraint> constraints;
     std::span<ContactExtra> extras;
     std::span<const RollingContact> rolling;
+    std::span<Relaxed> relaxed;  ///< of `constraints`
     float inverse_h = 0.0f;
     float push_speed = 0.0f;
     float restitution_threshold = 0.0f;
@@ -47,6 +49,20 @@ struct ContactSolver {
     /// The same after the last sub-step. Shapes that approach fast enough to bounce, and are still
     /// apart, keep their speed: the next step bounces them.
     void relax_at_end();
+    /// Calls `visit(a, b)` for each contact that the last relax pass left unsettled.
+    void for_unsettled(auto&& visit) const {
+        for (std::size_t i = 0; i < constraints.size(); ++i)
+            if (relaxed[i] == Relaxed::unsettled) visit(constraints[i].a, constraints[i].b);
+    }
+    /// Counts the contacts of rows of unsettled ones.
+    void count_in_rows(UnsettledContacts& unsettled) const {
+        for (const ContactConstraint& c : constraints)
+            if (unsettled.are_in_row(c.a, c.b)) unsettled.count(bodies, c.a, c.b);
+    }
+    /// Another relax pass over the contacts of rows that are not settled.
+    void relax_again(UnsettledContacts& unsettled);
+    /// Called after the relax passes of a sub-step: records impulses for events and restitution.
+    void record();
     /// The same two passes over some of the constraints, by index.
     void solve_biased(std::span<const uint32_t> some);
     void relax(std::span<const uint32_t> some);
@@ -56,8 +72,7 @@ struct ContactSolver {
 
   private:
     void solve_biased(ContactConstraint& c) const;
-    void relax(ContactConstraint& c) const;
-    void relax_and_record(ContactConstraint& c) const;
+    Relaxed relax(ContactConstraint& c) const;
     bool bounces_later(const ContactConstraint& c) const;
     void follow(ContactConstraint& c, const SolverBody& a, const SolverBody& b) const;
     const Corner* corner_of(const ContactConstraint& c) const;

@@ -153,6 +153,7 @@ void prepare(const ObjectState& objects, const Columns& columns, const BodyScrat
     const size_t count = contacts.acting.size();
     contacts.constraints.resize(count);
     contacts.flags.resize(count);
+    contacts.relaxed.assign(count, Relaxed::left_out);
     parallel_for(threads, count, contacts_at_a_time, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = acting[contacts.acting[i]].slot;

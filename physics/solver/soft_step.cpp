@@ -2,6 +2,7 @@
 #include <solver/contact_solver.h>
 #include <solver/joint_passes.h>
 #include <solver/joint_response.h>
+#include <solver/lanes_of_rows.h>
 #include <solver/motion.h>
 #include <solver/solvers.h>
 #include <state/limits.h>
@@ -109,8 +110,11 @@ struct alignas(cache_line_size) SoftStep {
     void pass(WidePass kernel, uint32_t section, WideBlock& wide) {
         const size_t begin = schedule.first_groups[section],
                      end = schedule.first_groups[section + 1];
+        run(kernel, begin, end, wide);
+    }
+    void run(WidePass kernel, size_t begin, size_t end, WideBlock& wide) const {
         kernel({bodies.solver_bodies.data(), wide.contacts_of(begin), wide.pushed_of(begin),
-                end - begin, 1.0f / h, input.settings.push_speed});
+                wide.unsettled_of(begin), end - begin, 1.0f / h, input.settings.push_speed});
     }
 
     void prepare_block(const SolverBlock& block, WideBlock& wide) {
@@ -128,8 +132,9 @@ struct alignas(cache_line_size) SoftStep {
     }
 
     void store_section(uint32_t section, WideBlock& wide) {
-        const size_t begin = schedule.first_groups[section],
-                     end = schedule.first_groups[section + 1];
+        store_groups(schedule.first_groups[section], schedule.first_groups[section + 1], wide);
+    }
+    void store_groups(size_t begin, size_t end, WideBlock& wide) {
         const std::span to(wide.lanes_of(begin), end - begin);
         kernels.store(wide.contacts_of(begin), to, touch_distance);
         for (size_t k = 0; k < to.size(); ++k)
@@ -155,6 +160,62 @@ struct alignas(cache_line_size) SoftStep {
                          });
     }
 
+    /// Solves contacts of the first block one at a time; of other blocks (null), none.
+    ContactSolver solver_of(SingleContacts* single) const {
+        ContactSolver solver;
+        solver.bodies = bodies.solver_bodies;
+        solver.forces = bodies.solver_forces;
+        solver.inverse_h = 1.0f / h;
+        solver.push_speed = input.settings.push_speed;
+        solver.restitution_threshold = input.settings.restitution_threshold;
+        if (single == nullptr) return solver;
+        solver.constraints = single->constraints;
+        solver.extras = single->extras;
+        solver.rolling = single->rolling_contacts;
+        solver.relaxed = single->relaxed;
+        return solver;
+    }
+    /// Called after a relax pass over a block: further passes over the contacts that it left
+    /// unsettled, and those of the same bodies. `serial`: the contacts of the block that are solved
+    /// one at a time. `at_end`: this is the last sub-step.
+    void settle(const SolverBlock& block, WideBlock& wide, ContactSolver& serial, bool at_end) {
+        // The copies of a hub are averaged only after a pass over the whole block.
+        if (!schedule.hubs.empty()) return;
+        UnsettledScratch& scratch = schedule.unsettled[size_t(&wide - schedule.wide_blocks.data())];
+        UnsettledContacts& unsettled = scratch.contacts;
+        unsettled.begin(bodies.solver_bodies.size());
+        const std::vector<uint8_t>& jointed = contacts.jointed;
+        const auto add = [&](uint32_t a, uint32_t b) {
+            const bool any = !jointed.empty() && (jointed[a] | jointed[b]) != 0;
+            unsettled.add(bodies.solver_bodies, a, b, any);
+        };
+        serial.for_unsettled(add);
+        for (uint32_t group = block.first_group; group < block.group_end; ++group)
+            for (uint32_t left = *wide.unsettled_of(group); left != 0; left &= left - 1) {
+                const WideContact& c = *wide.contacts_of(group);
+                add(c.a[std::countr_zero(left)], c.b[std::countr_zero(left)]);
+            }
+        if (unsettled.empty() || !unsettled.find_rows()) return;
+        list_lanes_of_rows(block, wide, bodies.solver_bodies, scratch);
+        serial.count_in_rows(unsettled);
+        if (!unsettled.leave_out_heaps()) return;
+        copy_lanes_of_rows(wide, bodies.solver_bodies, scratch);
+        ContactSolver in_rows = serial;
+        in_rows.constraints = scratch.constraints;
+        in_rows.relaxed = scratch.relaxed;
+        for (int i = 0; i < UnsettledContacts::most_passes; ++i) {
+            serial.relax_again(unsettled);
+            in_rows.relax_again(unsettled);
+            if (!unsettled.next_pass()) break;
+        }
+        write_lanes_of_rows(scratch, wide);
+        if (!at_end) return;
+        uint32_t last = none;
+        for (const uint32_t lane : scratch.lanes)
+            if (const uint32_t group = lane / group_size; group != std::exchange(last, group))
+                store_groups(group, group + 1, wide);
+    }
+
     /// Solves a block that has only wide contacts, through all sub-steps.
     void solve_block(const SolverBlock& block, WideBlock& wide) {
         const auto all = [&](WidePass kernel) {
@@ -170,6 +231,7 @@ struct alignas(cache_line_size) SoftStep {
         });
         const auto begin = begin_loop(block, false), begin_again = begin_loop(block, true);
         const auto move_bodies = move_loop(block);
+        ContactSolver serial = solver_of(nullptr);
         prepare_block(block, wide);
         begin_substeps(input, block);
         for (int substep = 0; substep < input.settings.substeps; ++substep) {
@@ -181,6 +243,7 @@ struct alignas(cache_line_size) SoftStep {
                 relax.run();
             else
                 relax_and_store.run();
+            settle(block, wide, serial, substep + 1 == input.settings.substeps);
             add_substep(input, block, wide);
         }
     }
@@ -211,6 +274,7 @@ struct alignas(cache_line_size) FirstBlock {
         ContactSolver some = all;
         const size_t begin = ranges.begin(nodes), end = ranges.end(nodes);
         some.constraints = some.constraints.subspan(begin, end - begin);
+        some.relaxed = some.relaxed.subspan(begin, end - begin);
         return some;
     }
     ContactSolver serial_of(const StripNodes& nodes) const {
@@ -321,17 +385,8 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
     const ContactScratch& contacts = step.contacts;
     const SolverBlock& block = step.schedule.blocks[0];
     FirstBlock first = {step, joint_step, step.schedule.wide_blocks[0], {}, {}};
-    first.serial.bodies = step.bodies.solver_bodies;
-    first.serial.forces = step.bodies.solver_forces;
-    first.serial.constraints = step.contacts.serial.constraints;
-    first.serial.extras = step.contacts.serial.extras;
-    first.serial.rolling = contacts.serial.rolling_contacts;
-    first.serial.inverse_h = 1.0f / step.h;
-    first.serial.push_speed = input.settings.push_speed;
-    first.serial.restitution_threshold = input.settings.restitution_threshold;
-    first.passing = first.serial;
-    first.passing.constraints = step.contacts.passing.constraints;
-    first.passing.extras = step.contacts.passing.extras;
+    first.serial = step.solver_of(&step.contacts.serial);
+    first.passing = step.solver_of(&step.contacts.passing);
     first.repeats = step.repeats_pushes(block);
     const bool jointed = input.joints.acting_joints() > 0;
 
@@ -365,7 +420,10 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
         add_biased(input);
         zero_locked(input);
         move_bodies.run();
-        (substep + 1 < input.settings.substeps ? relax : relax_and_store).run();
+        const bool at_end = substep + 1 == input.settings.substeps;
+        (at_end ? relax_and_store : relax).run();
+        step.settle(block, first.wide, first.serial, at_end);
+        first.serial.record();
         zero_locked(input);
         add_strains(input.joints);
         add_substep(input, block, first.wide);
@@ -391,6 +449,7 @@ void solve_softly(const SolverInput& input, const JointStep& joint_step,
     const auto whole = uint32_t(blocks.size() - 1);
     const int at_a_time = input.threads != nullptr && whole > 1 ? input.threads->threads() : 1;
     if (wide_blocks.size() < size_t(at_a_time)) wide_blocks.resize(size_t(at_a_time));
+    input.schedule.unsettled.resize(wide_blocks.size());
     solve_first_block(step, joint_step);
     // The few large blocks are solved one after the other; all threads share each of them.
     for (uint32_t i = 1; i <= whole; ++i) {

@@ -10,6 +10,7 @@
 #include <partition/joint_share.h>
 #include <partition/solver_end.h>
 #include <partition/strips.h>
+#include <partition/unsettled_contacts.h>
 #include <state/member_list.h>
 #include <state/stage_results.h>
 
@@ -129,10 +130,11 @@ struct SingleContacts {
     std::vector<ContactExtra> extras;
     std::vector<RollingContact> rolling_contacts;
     NodeRanges nodes;
-    std::vector<uint8_t> flags;  ///< of the same contacts: solver/serial_contacts.cpp
+    std::vector<uint8_t> flags;    ///< of the same contacts: solver/serial_contacts.cpp
+    std::vector<Relaxed> relaxed;  ///< of the same contacts: in the last relax pass
 
     FETTLE_SCRATCH(SingleContacts, s.acting, s.constraints, s.extras, s.rolling_contacts, s.nodes,
-                   s.flags)
+                   s.flags, s.relaxed)
 };
 
 /// The serial contacts of bodies whose joints bear a heavy load.
@@ -158,13 +160,26 @@ struct ContactScratch {
     std::vector<GroupResult> group_results;  ///< of each group
     std::vector<uint64_t> reported;  ///< one bit for each acting contact: true if it is reported
     std::vector<std::vector<ContactHitEvent>> hits;  ///< by piece
+    /// By solver body: 0 if it has no acting joint, otherwise 1 + the load of its joints. Empty if
+    /// there is no acting joint or no awake contact.
+    std::vector<uint8_t> jointed;
     SingleContacts serial;
     SingleContacts passing;  ///< contacts in lanes that may pass an impact on
     std::array<LoadedContacts, JointScratch::loads> loaded;  ///< by load; the first one is empty
 
     FETTLE_SCRATCH(ContactScratch, s.acting, s.acting_pieces, s.colored_count, s.lane_contacts,
-                   s.spare_lanes, s.group_results, s.reported, s.hits, s.serial, s.passing,
-                   s.loaded)
+                   s.spare_lanes, s.group_results, s.reported, s.hits, s.jointed, s.serial,
+                   s.passing, s.loaded)
+};
+
+/// The wide contacts of rows of unsettled ones, as constraints that are solved one at a time.
+struct UnsettledScratch {
+    UnsettledContacts contacts;
+    std::vector<uint32_t> lanes;                 ///< group · `group_size` + lane, in this order
+    std::vector<ContactConstraint> constraints;  ///< of these lanes
+    std::vector<Relaxed> relaxed;                ///< of these constraints
+
+    FETTLE_SCRATCH(UnsettledScratch, s.contacts, s.lanes, s.constraints, s.relaxed)
 };
 
 /// Groups of constraints that are solved together, and their order.
@@ -178,6 +193,7 @@ struct ScheduleScratch {
     std::vector<std::vector<uint32_t>> out_of_colors;  ///< by section: acting contacts
     std::vector<uint64_t> colors_of_body;              ///< by solver index, one bit for each color
     std::vector<WideBlock> wide_blocks;  ///< one for each block that is solved at the same time
+    std::vector<UnsettledScratch> unsettled;  ///< of each of them
 
     const Sections& sections_of(const SolverBlock& block) const {
         return block.cut ? cut_sections : whole_sections;
@@ -185,7 +201,7 @@ struct ScheduleScratch {
 
     FETTLE_SCRATCH(ScheduleScratch, s.blocks, s.hubs, s.reordering, s.whole_sections,
                    s.cut_sections, s.color_begin, s.first_groups, s.out_of_colors, s.colors_of_body,
-                   s.wide_blocks)
+                   s.wide_blocks, s.unsettled)
 };
 
 struct FinishScratch {

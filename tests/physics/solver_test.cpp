@@ -89,9 +89,14 @@ constexpr int rounds = 6;
 constexpr float inverse_h = 240.0f, push_speed = 3.0f;
 
 std::vector<SolverBody> run_wide(Scene scene, const WideKernels& kernels) {
-    std::vector<uint32_t> pushed(scene.wide.size());
-    const WideStep step = {scene.bodies.data(), scene.wide.data(), pushed.data(),
-                           scene.wide.size(),   inverse_h,         push_speed};
+    std::vector<uint32_t> pushed(scene.wide.size()), unsettled(scene.wide.size());
+    const WideStep step = {.bodies = scene.bodies.data(),
+                           .contacts = scene.wide.data(),
+                           .pushed = pushed.data(),
+                           .unsettled = unsettled.data(),
+                           .count = scene.wide.size(),
+                           .inverse_h = inverse_h,
+                           .push_speed = push_speed};
     for (int i = 0; i < rounds; ++i) {
         kernels.warm_start(step);
         kernels.solve_biased(step);
@@ -102,6 +107,7 @@ std::vector<SolverBody> run_wide(Scene scene, const WideKernels& kernels) {
 
 std::vector<SolverBody> run_single(Scene scene) {
     std::vector<ContactExtra> extras;
+    std::vector<Relaxed> relaxed(scene.single.size());
     for (ContactConstraint& c : scene.single) {
         const float a = scene.bodies[c.a].inverse_mass, b = scene.bodies[c.b].inverse_mass;
         c.inverse_a = {a, a};
@@ -111,6 +117,7 @@ std::vector<SolverBody> run_single(Scene scene) {
     solver.bodies = scene.bodies;
     solver.constraints = scene.single;
     solver.extras = extras;
+    solver.relaxed = relaxed;
     solver.inverse_h = inverse_h;
     solver.push_speed = push_speed;
     for (int i = 0; i < rounds; ++i) {
