@@ -74,7 +74,8 @@ property::Value answer_of(fettle_code code, const fettle_hosted_value& result) {
 
 property::Handle living(const Game& game, fettle_instance instance) {
     const property::Handle handle = handle_of(instance);
-    if (!handle) throw Failure{FETTLE_STALE, "instance 0: there is none"};
+    if (!handle)
+        throw Failure{FETTLE_STALE, "instance " + std::to_string(instance) + ": there is none"};
     game.tree.require(handle);
     return handle;
 }

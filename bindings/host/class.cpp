@@ -1,3 +1,5 @@
+#include <fettle/property/spelling.h>
+
 #include "calls.h"
 
 // Classes that a program adds to a game.
@@ -108,6 +110,19 @@ property::Method method_of(Game& game, const fettle_method_def& def) {
     return made;
 }
 
+/// Refuses a property whose name is nearly that of one of the base class, as Lua does: "velocty" is
+/// meant to be `velocity`.
+void refuse_near_misses(const property::Tree& tree, const property::ClassDescriptor& made) {
+    const property::Class* const base = tree.find_class(made.base);
+    if (base == nullptr) return;  // an error of its own
+    for (const property::Property& own : made.properties)
+        for (const property::Property* known : base->properties())
+            if (property::misspells(own.name, own.type, known->name, known->type))
+                throw Failure{FETTLE_INVALID, made.name + "." + own.name + ": " + base->name() +
+                                                  " has no such property (did you mean \"" +
+                                                  known->name + "\"?)"};
+}
+
 }  // namespace
 
 fettle_code fettle_class_def_init(fettle_class_def* def, size_t size) {
@@ -133,6 +148,7 @@ fettle_code fettle_hosted_define(fettle_hosted* hosted, const fettle_class_def* 
         });
         each("methods", wanted.methods, wanted.method_count,
              [&](const fettle_method_def& each) { made.methods.push_back(method_of(game, each)); });
+        refuse_near_misses(game.tree, made);
         game.tree.define(std::move(made));
         rollback.done = true;
     });

@@ -37,11 +37,15 @@ void fettle_game_close(fettle_game* game) {
 }
 
 const fettle_host* fettle_game_host(fettle_game* game) {
-    return &game->host.table();
+    return game != nullptr ? &game->host.table() : nullptr;
 }
 
 fettle_status fettle_game_load(fettle_game* game, const char* file) {
+    if (game == nullptr) return FETTLE_ERR_FAILED;
     return game->host.guarded([&](fettle::property::Tree& tree) {
+        if (file == nullptr || *file == '\0')
+            throw std::invalid_argument(
+                "fettle_game_load: expected the path of a shared object, got an empty text");
         game->plugins.open(fettle::module::text_or_empty(file)).attach(tree);
     });
 }
@@ -49,11 +53,12 @@ fettle_status fettle_game_load(fettle_game* game, const char* file) {
 fettle_status fettle_game_step(fettle_game* game, double seconds) {
     using fettle::property::Tree;
     using fettle::property::Writer;
+    if (game == nullptr) return FETTLE_ERR_FAILED;
     return game->host.guarded([&](Tree& tree) {
         if (!(seconds >= 0) || seconds > std::numeric_limits<float>::max())
             throw std::invalid_argument(
                 "fettle_game_step: seconds = " + fettle::property::number_text(seconds) +
-                ": expected a time of at least 0");
+                ": expected a time from 0 to 3.4e38 s");
         tree.set_step(++game->steps);
         {
             const Tree::CauseScope cause(tree, Writer::simulation);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -13,9 +14,13 @@ namespace {
 
 constexpr float least_size = 1e-5f, greatest_size = 1e6f;
 
+/// With six digits, or nine if six name another number: a number just beyond a limit does not look
+/// like the limit.
 std::string text(float value) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%g", double(value));
+    if (std::strtof(buffer, nullptr) != value)
+        std::snprintf(buffer, sizeof buffer, "%.9g", double(value));
     return buffer;
 }
 
@@ -67,7 +72,8 @@ void refuse_negative(const char* what, float value) {
 }
 
 float check_positive(const char* what, float value) {
-    if (!(value > 0.0f) || !std::isfinite(value)) refuse(what, text(value), "a positive number");
+    if (!(value > 0.0f) || !std::isfinite(value))
+        refuse(what, text(value), "a finite number above 0");
     return value;
 }
 
@@ -154,10 +160,28 @@ const Aabb& check_box(const char* what, const Aabb& value) {
     return value;
 }
 
+const Pose& check_pose(const char* what, const char* member, const Pose& value) {
+    return check_pose(MemberName(what, member).text, value);
+}
+
 const Vec2& check_point(const char* what, const Vec2& p) {
     check_range(what, p.x, -greatest_size, greatest_size);
     check_range(what, p.y, -greatest_size, greatest_size);
     return p;
+}
+
+const Vec2& check_point(const char* what, const char* member, const Vec2& p) {
+    return check_point(MemberName(what, member).text, p);
+}
+
+void check_points(const char* what, const char* one, std::span<const Vec2> points) {
+    for (const Vec2& p : points) {
+        if (std::fabs(p.x) <= greatest_size && std::fabs(p.y) <= greatest_size) continue;
+        const std::string place =
+            std::string(what) + ": " + one + " " + std::to_string(&p - points.data() + 1);
+        refuse(place.c_str(), text(p),
+               "coordinates between -" + text(greatest_size) + " and " + text(greatest_size));
+    }
 }
 
 void check(const WorldDef& def) {
@@ -232,9 +256,13 @@ bool all_the_same(std::span<const Vec2> points) {
 
 }  // namespace
 
+void check_vertices(std::span<const Vec2> vertices) {
+    check_count("vertices", vertices.size());
+    check_points("vertices", "vertex", vertices);
+}
+
 void check_outline(std::span<const Vec2> points) {
-    check_count("vertices", points.size());
-    for (const Vec2& v : points) check_point("vertices", v);
+    check_vertices(points);
     std::vector<Vec2> outline;
     for (const Vec2& v : points) outline.push_back(v);
     if (const auto problem = outline_problem(outline))
@@ -246,7 +274,7 @@ void check_chain(std::span<const Vec2> points, bool closed) {
     if (points.size() < 2)
         throw std::invalid_argument("points: a chain needs at least two points, got " +
                                     std::to_string(points.size()));
-    for (const Vec2& p : points) check_point("points", p);
+    check_points("points", "point", points);
     if (all_the_same(points))
         throw std::invalid_argument("points: all points of the chain are in the same place");
     if (closed && points.size() < 3)
@@ -278,13 +306,12 @@ void check(const Geometry& geometry) {
         check_chain(chain->points, chain->closed);
     } else {
         const Polygon& polygon = std::get<Polygon>(geometry);
-        check_count("vertices", polygon.vertices.size());
+        check_vertices(polygon.vertices);
         check_range("rounding", polygon.rounding, 0.0f, greatest_size);
         std::vector<Vec2> hull;
         const HullStatus status = convex_hull(polygon.vertices, hull);
         if (status != HullStatus::ok)
             throw std::invalid_argument(std::string("vertices: ") + describe(status));
-        for (const Vec2& v : hull) check_point("vertices", v);
     }
 }
 

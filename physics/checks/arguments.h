@@ -4,9 +4,10 @@
 #include <fettle/physics/field.h>
 #include <fettle/physics/hull.h>
 #include <fettle/physics/shape.h>
-#include <string_view>
 
 #include <cmath>
+#include <span>
+#include <string_view>
 
 // Checks of arguments. Each returns its argument or throws std::invalid_argument with the name of
 // the value, the value and what was expected. `what` is a name such as "linear_damping".
@@ -66,6 +67,7 @@ Enum check_enumerator(const char* what, Enum value, Enum last) {
 }
 const Position& check_coordinates(const char* what, const Position& value);  ///< within ±1e8
 const Pose& check_pose(const char* what, const Pose& value);
+const Pose& check_pose(const char* what, const char* member, const Pose& value);  ///< "what.member"
 #ifdef FETTLE_PHYSICS_DOUBLE
 inline const Vec2& check_coordinates(const char* what, const Vec2& value) {
     check_coordinates(what, Position(value));
@@ -73,6 +75,9 @@ inline const Vec2& check_coordinates(const char* what, const Vec2& value) {
 }
 #endif
 const Vec2& check_point(const char* what, const Vec2& value);  ///< a point of a body: within ±1e6
+const Vec2& check_point(const char* what, const char* member, const Vec2& value);
+/// Points of a body in a list. The message counts from 1, and calls each of them `one`: "vertex".
+void check_points(const char* what, const char* one, std::span<const Vec2> points);
 /// Positive or infinite: mass, inertia.
 std::optional<float> check_inertial(const char* what, std::optional<float> value);
 /// A limit of the speed of all bodies: above 0, at most 1e4 m/s.
@@ -84,6 +89,8 @@ void check(const BodyDef& def);
 void check(const ShapeDef& def);
 void check(const SegmentSurface& surface);
 void check(const FieldDef& def);
+/// The vertices of a polygon: how many, and where.
+void check_vertices(std::span<const Vec2> vertices);
 /// The outline of a concave polygon.
 void check_outline(std::span<const Vec2> points);
 void check_chain(std::span<const Vec2> points, bool closed);

@@ -12,15 +12,16 @@ float distance_to_edge(Vec2 a, Vec2 b, Vec2 p) {
     return std::sqrt(squared_distance_to_edge(a, b, p));
 }
 
-/// True if a point on the line of an edge is on the edge itself. The rounding error is included,
-/// because a ray through a corner must not pass between two edges.
-bool is_on_edge(const Convex& shape, int edge, Vec2 hit, Vec2 p, Vec2 d) {
+/// True if the line of a ray passes between the ends of an edge that faces it. The rounding error
+/// of the ends is included, because a ray must not pass between two edges at a corner, or between
+/// two shapes that stand side by side. It does not grow with the length of the ray: a ray of a
+/// million meters meets what a short one does.
+bool crosses_edge(const Convex& shape, int edge, Vec2 p, Vec2 d) {
     const Vec2 a = shape.vertices[edge], b = shape.vertices[edge + 1 < shape.count ? edge + 1 : 0];
-    const float size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(d.x) + std::fabs(d.y) +
-                       std::fabs(a.x) + std::fabs(a.y);
-    const float x = dot(hit - a, b - a), whole = length_squared(b - a);
-    const float slack = 5e-7f * size * std::sqrt(whole);
-    return x >= -slack && x <= whole + slack;
+    const Vec2 from = p - shape.radius * shape.normals[edge];
+    const auto size = [](Vec2 v) { return std::fabs(v.x) + std::fabs(v.y); };
+    const float slack = 5e-7f * size(d) * (size(p) + size(a));
+    return cross(d, a - from) >= -slack && cross(d, b - from) <= slack;
 }
 
 void cast_circle(Vec2 center, float radius, Vec2 p, Vec2 d, Probe& best) {
@@ -34,10 +35,12 @@ void cast_circle(Vec2 center, float radius, Vec2 p, Vec2 d, Probe& best) {
     const Vec2 nearest = p + along * u - center;
     const float half = radius * radius - length_squared(nearest);
     if (half < 0.0f) return;
-    const float t = (along - std::sqrt(half)) / l;
+    const float back = std::sqrt(half), t = (along - back) / l;
     if (t < 0.0f || t > 1.0f || t >= best.fraction) return;
     best.fraction = t;
-    best.normal = normalized(p + t * d - center);
+    // Not from the point of the ray, which may be rounded to any side of the center.
+    const Vec2 across = {-u.y, u.x};
+    best.normal = normalized(dot(nearest, across) * across - back * u);
 }
 
 }  // namespace
@@ -108,7 +111,7 @@ Probe cast_segment(const Convex& shape, Vec2 p, Vec2 d) {
         if (!(speed < 0.0f)) continue;
         const float t = (shape.offsets[i] + shape.radius - dot(n, p)) / speed;
         if (t < 0.0f || t > 1.0f || t >= best.fraction) continue;
-        if (is_on_edge(shape, i, p + t * d - shape.radius * n, p, d)) best = {t, n};
+        if (crosses_edge(shape, i, p, d)) best = {t, n};
     }
     for (int i = 0; i < shape.count; ++i) cast_circle(shape.vertices[i], shape.radius, p, d, best);
     return best;
@@ -143,7 +146,7 @@ Probe cast_piece(const OutlinePiece& piece, Vec2 p, Vec2 d) {
         if (piece.is_inner(i) || !(speed < 0.0f)) continue;
         const float t = (form.offsets[i] - dot(n, p)) / speed;
         if (t < 0.0f || t > 1.0f || t >= best.fraction) continue;
-        if (is_on_edge(form, i, p + t * d, p, d)) best = {t, n};
+        if (crosses_edge(form, i, p, d)) best = {t, n};
     }
     return best;
 }

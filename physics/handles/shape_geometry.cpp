@@ -162,7 +162,7 @@ HullStatus Shape::try_set_vertices(std::span<const Vec2> points) {
     std::vector<Vec2> hull;
     const HullStatus status = convex_hull(points, hull);
     if (status != HullStatus::ok) return status;
-    for (const Vec2& v : hull) check_point("vertices", v);
+    check_vertices(points);
     geometry_changed(data, id_.index);
     data.change<detail::set_form>(id_.index, Polygon{{}, polygon_rounding(record)}, hull);
     return status;
@@ -181,6 +181,7 @@ void Shape::set_vertices(std::span<const Vec2> given) {
         data.change<write_outline>(id_.index, points);
         return;
     }
+    check_vertices(points);
     const HullStatus status = try_set_vertices(points);
     if (status != HullStatus::ok)
         throw std::invalid_argument(std::string("vertices: ") + describe(status));

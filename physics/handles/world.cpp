@@ -427,14 +427,15 @@ bool World::locked() const {
     return data_->self.locked();
 }
 
+// A damaged world has no objects, although slots of the incomplete state are in use.
 uint32_t World::body_count() const {
-    return data_->body_slots.count;
+    return data_->self.damaged() ? 0 : data_->body_slots.count;
 }
 uint32_t World::shape_count() const {
-    return data_->shape_slots.count;
+    return data_->self.damaged() ? 0 : data_->shape_slots.count;
 }
 uint32_t World::joint_count() const {
-    return data_->joint_slots.count;
+    return data_->self.damaged() ? 0 : data_->joint_slots.count;
 }
 const Events& World::events() const {
     return data_->events;

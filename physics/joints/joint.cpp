@@ -131,7 +131,7 @@ uint32_t Joint::end_at(uint32_t side, const Body& body) const {
         if (side == 0)
             throw std::invalid_argument(
                 "body_a: a mouse joint has a target there: set that instead");
-        if (is_world) throw std::invalid_argument("body: a mouse joint drags a body");
+        if (is_world) throw std::invalid_argument("body: a mouse joint drags a body, got none");
     }
     if (!is_world && !body.is_valid())
         refuse_dangling("body", body.link_, body.index(), body.id().generation);

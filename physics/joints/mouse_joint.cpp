@@ -96,7 +96,8 @@ FETTLE_JOINT_NUMBER(Mouse, max_force, max_force)
 
 MouseJoint World::create_mouse_joint(const MouseJointDef& def) {
     WorldData& data = populate(__func__);
-    if (def.body == BodyId()) throw std::invalid_argument("body: a mouse joint drags a body");
+    if (def.body == BodyId())
+        throw std::invalid_argument("body: a mouse joint drags a body, got none");
     JointRecord record = record_of(JointType::mouse);
     record.bodies[1] = slot_of(*this, "body", def.body);
     if (record.bodies[1] == 0)

@@ -62,6 +62,9 @@ namespace {
 /// that `save` did not write.
 ArchiveReader unsealed(std::span<const std::byte> bytes) {
     SavedHeader header = {};
+    if (bytes.size() < sizeof header)
+        throw std::invalid_argument("the data are not a saved world: they have only " +
+                                    std::to_string(bytes.size()) + " bytes");
     ArchiveReader read(bytes);
     read(header);
     if (header.magic != archive_magic)

@@ -145,10 +145,10 @@ struct MovingForm {
     float extent;
 
     MovingForm(const Form& moved, const char* what, const Movement& movement)
-        : form(FormAccess::data(moved), check_pose(what, movement.from),
-               check_point("center", movement.center)),
+        : form(FormAccess::data(moved), check_pose(what, "from", movement.from),
+               check_point(what, "center", movement.center)),
           extent(form.extent()) {
-        const Pose& to = check_pose(what, movement.to);
+        const Pose& to = check_pose(what, "to", movement.to);
         const PosedForm end(FormAccess::data(moved), to, movement.center);
         motion.from = form.center();
         motion.velocity = end.center() - form.center();

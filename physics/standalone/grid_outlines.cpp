@@ -2,6 +2,7 @@
 #include <fettle/physics/outlines.h>
 #include <geometry/vector.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -124,7 +125,10 @@ std::vector<Chain> grid_outlines(std::span<const float> values, const GridLayout
     check_range("cell", layout.cell, 1e-5f, 1e6f);
     check_finite("threshold", threshold);
     check_not_negative("straight", straight);
-    for (const float value : values) check_finite("values", value);
+    for (const float& value : values)
+        if (!std::isfinite(value))
+            check_finite(("values: value " + std::to_string(&value - values.data() + 1)).c_str(),
+                         value);
     if (values.empty()) return {};
     check_point("the last sample", layout.origin + layout.cell * Vec2(float(layout.columns + 1),
                                                                       float(layout.rows + 1)));

@@ -6,6 +6,7 @@
 #include <standalone/line_ends.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 // Conversion of lines to chains.
@@ -64,7 +65,7 @@ class Corners {
 std::vector<Vec2> without_straight_points(std::span<const Vec2> points, bool closed,
                                           float straight) {
     check_not_negative("straight", straight);
-    for (const Vec2& p : points) check_point("points", p);
+    check_points("points", "point", points);
     const size_t count = points.size();
     if (count < 3) return {points.begin(), points.end()};
     Corners corners(points, straight);
@@ -142,9 +143,10 @@ std::vector<Chain> join_lines(std::span<const std::vector<Vec2>> lines,
     check_enumerator("closed", options.closed, Winding::counter_clockwise);
     std::vector<std::vector<Vec2>> distinct;
     for (const std::vector<Vec2>& line : lines) {
+        const std::string place = "lines: line " + std::to_string(&line - lines.data() + 1);
+        check_points(place.c_str(), "point", line);
         std::vector<Vec2> points;
-        for (const Vec2& p : line) {
-            const Vec2 point = check_point("lines", p);
+        for (const Vec2& point : line) {
             if (points.empty() || length(point - points.back()) > options.reach)
                 points.push_back(point);
         }

@@ -111,4 +111,27 @@ TEST_CASE("a class that is wrong is refused and changes nothing") {
     CHECK_THAT(fettle_last_error(), contains("Magnet"));
 }
 
+TEST_CASE("a property whose name is nearly one of the base class is refused") {
+    const Game game = make();
+    const auto define = [&](const char* base, const char* name) {
+        fettle_property_def property = number_property(name, 1);
+        fettle_class_def def;
+        require(fettle_class_def_init(&def, sizeof def));
+        def.name = "Near";
+        def.base = base;
+        def.properties = &property;
+        def.property_count = 1;
+        return fettle_hosted_define(game.get(), &def);
+    };
+    for (const char* name : {"gravity_scal", "Mass", "linear_dampin"}) {
+        INFO(name);
+        CHECK(define("Body", name) == FETTLE_INVALID);
+    }
+    CHECK(std::string(fettle_last_error()) ==
+          "fettle_hosted_define: Near.linear_dampin: Body has no such property (did you mean "
+          "\"linear_damping\"?)");
+    CHECK(define(nullptr, "Name") == FETTLE_INVALID);
+    CHECK(define("Body", "strength") == FETTLE_DONE);
+}
+
 }  // namespace class_test

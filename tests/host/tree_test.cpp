@@ -128,6 +128,8 @@ TEST_CASE("a handle ends with its instance and with its release") {
     CHECK_THAT(fettle_last_error(), contains("world.ball was deleted"));
     CHECK_FALSE(fettle_hosted_is_alive(game.get(), body));
     CHECK(fettle_hosted_delete(game.get(), body) == FETTLE_STALE);
+    CHECK(fettle_hosted_delete(game.get(), 99) == FETTLE_STALE);  // a number that never was one
+    CHECK(std::string(fettle_last_error()) == "fettle_hosted_delete: instance 99: there is none");
     CHECK(fettle_property_get_number(game.get(), 0, &number) == FETTLE_STALE);
     CHECK(fettle_property_get_number(game.get(), ~0ull, &number) == FETTLE_STALE);
 }

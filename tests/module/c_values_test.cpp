@@ -96,8 +96,25 @@ TEST_CASE("the time step of a game in C must be valid") {
         CHECK(fettle_game_step(game, wrong) != FETTLE_OK);
         CHECK_THAT(std::string(host->last_error(host->self)), contains("seconds = "));
     }
+    CHECK(fettle_game_step(game, 1e300) != FETTLE_OK);
+    CHECK(host->last_error(host->self) ==
+          std::string("fettle_game_step: seconds = 1e+300: expected a time from 0 to 3.4e38 s"));
     CHECK(fettle_game_step(game, 0.1) == FETTLE_OK);
     fettle_game_close(game);
+}
+
+TEST_CASE("a game in C that is null and a module without a path are refused") {
+    fettle_game* const game = fettle_game_open();
+    const fettle_host* const host = fettle_game_host(game);
+    for (const char* none : {static_cast<const char*>(nullptr), ""}) {
+        CHECK(fettle_game_load(game, none) != FETTLE_OK);
+        CHECK_THAT(std::string(host->last_error(host->self)), contains("expected the path"));
+    }
+    fettle_game_close(game);
+    CHECK(fettle_game_step(nullptr, 0.1) == FETTLE_ERR_FAILED);
+    CHECK(fettle_game_load(nullptr, "physics.so") == FETTLE_ERR_FAILED);
+    CHECK(fettle_game_host(nullptr) == nullptr);
+    fettle_game_close(nullptr);
 }
 
 }  // namespace c_values_test

@@ -266,7 +266,7 @@ TEST_CASE("numbers out of range are refused by name") {
     CHECK_THROWS_WITH(contact_manifolds(Circle{}, {}, Circle{}, {}, nan),
                       Catch::Matchers::Contains("margin"));
     CHECK_THROWS_WITH(time_of_impact(Circle{}, {{}, {{0, 0}, nan}}, Circle{}, {}),
-                      Catch::Matchers::Contains("movement_a.angle"));
+                      Catch::Matchers::Contains("movement_a.to.angle"));
 }
 
 }  // namespace geometry_test

@@ -93,6 +93,7 @@ TEST_CASE("when memory runs out a world is unchanged or refuses all calls until 
         ++(is_damaged(world) ? damaged : whole);
         if (is_damaged(world)) {
             REQUIRE(world.bodies().empty());
+            REQUIRE(world.body_count() + world.shape_count() + world.joint_count() == 0);
             REQUIRE_THROWS_AS(world.step(frame), Damaged);
             REQUIRE_THROWS_AS(world.create_body(), Damaged);
             world.restore(intact);

@@ -1,6 +1,9 @@
 #include "catch.h"
 #include "scenes.h"
 
+#include <cmath>
+#include <random>
+
 namespace query_test {
 
 using namespace scenes;
@@ -109,6 +112,70 @@ TEST_CASE("a ray through a corner does not slip between two edges") {
         }
     }
     REQUIRE(calls > 9000);
+}
+
+struct Draws {
+    std::mt19937 engine;
+    explicit Draws(uint32_t seed) : engine(seed) {}
+    float between(float low, float high) {
+        return low + (high - low) * float(engine() % 65536) / 65536;
+    }
+};
+
+/// Every kind of shape that a ray can meet.
+std::vector<Geometry> one_of_each_kind() {
+    Polygon round;
+    for (int i = 0; i < 100; ++i)
+        round.vertices.push_back({2 * std::cos(0.0628f * i), std::sin(0.0628f * i)});
+    return {Circle{},
+            Box{.angle = 0.5f},
+            Ellipse{},
+            Segment{.from = {-1, 0}, .to = {1, 0.5f}, .rounding = 0.3f},
+            Polygon{{{-1, -1}, {1, -1}, {0, 1}}},
+            Polygon{{{-1, -1}, {1, -1}, {0, 1}}, 0.2f},
+            Concave{{{-1, -1}, {1, -1}, {0.2f, -0.6f}, {0, 1}}},
+            Chain{.points = {{-1, 0}, {0, 0.5f}, {1, 0}}},
+            round};
+}
+
+TEST_CASE("a long ray meets what a short one meets") {
+    for (const Geometry& geometry : one_of_each_kind()) {
+        World world;
+        world.create_body({.type = BodyType::static_body, .position = {3, 5}}).add(geometry);
+        Draws draw(7);
+        for (int i = 0; i < 2000; ++i) {
+            const float angle = draw.between(0, 6.2832f);
+            const Vec2 from = Vec2{3, 5} + 10 * Vec2{std::cos(angle), std::sin(angle)};
+            const Vec2 aim = {draw.between(2, 4), draw.between(4, 6)};
+            const Vec2 way = (aim - from).normalized();
+            const auto near = world.cast_ray(from, from + 20 * way);
+            for (const float length : {1e3f, 1e5f, 1e6f, 5e7f}) {
+                const auto far = world.cast_ray(from, from + length * way);
+                CAPTURE(geometry.index(), i, length);
+                REQUIRE(far.has_value() == near.has_value());
+                if (near)
+                    REQUIRE(far->fraction * length == Approx(near->fraction * 20).margin(0.001));
+            }
+        }
+    }
+}
+
+TEST_CASE("a ray from far away has a normal of length 1 that faces it") {
+    for (const Geometry& geometry : one_of_each_kind()) {
+        World world;
+        world.create_body({.type = BodyType::static_body, .position = {3, 5}}).add(geometry);
+        Draws draw(8);
+        for (int i = 0; i < 5000; ++i) {
+            const float angle = draw.between(0, 6.2832f);
+            const Vec2 from = 3e7f * Vec2{std::cos(angle), std::sin(angle)};
+            const Vec2 to = {draw.between(2, 4), draw.between(4, 6)};
+            const auto hit = world.cast_ray(from, to);
+            if (!hit) continue;
+            CAPTURE(geometry.index(), i, from, to);
+            REQUIRE(hit->normal.length() == Approx(1).margin(1e-4));
+            REQUIRE(hit->normal.dot((to - from).normalized()) <= 1e-6f);
+        }
+    }
 }
 
 TEST_CASE("an AABB query does not find shapes of which only the bounding box overlaps") {

@@ -9,10 +9,12 @@
 #include <cstring>
 #include <limits>
 #include <thread>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "call_memory.h"
 #include "numbers.h"
 
 // Arguments for functions in C: valid ones and invalid ones. Pointers are null or point to
@@ -27,7 +29,6 @@ class Arguments {
         fettle_world_destroy(worlds_[3]);  // a stale pointer
         fettle_owner_create("ask the owner", &owner_);
         fettle_replay_create(recording().data(), recording().size(), &replay_);
-        for (auto& memory : memory_) memory.scratch.resize(1 << 16);
     }
     ~Arguments() {
         for (fettle_world* world : worlds_) fettle_world_destroy(world);
@@ -48,17 +49,23 @@ class Arguments {
     /// Calls a function with arguments of the types that it has, and checks what it made.
     template <class Result, class... Parameters>
     void call(Result (*function)(Parameters...)) {
-        Memory& made = memory();
+        CallMemory& made = memory();
         made.world = nullptr;
         made.owner = nullptr;
         made.replay = nullptr;
-        [[maybe_unused]] const Result result = function(make<Parameters>()...);
+        const std::tuple<Parameters...> given{make<Parameters>()...};
+        const CallMemory::Results before = made.results();
+        [[maybe_unused]] const Result result = std::apply(function, given);
+        if constexpr (std::is_same_v<Result, fettle_code>)
+            if (result != FETTLE_DONE && made.results() != before) wrote_after_error_ = true;
         after_call();
     }
+    /// Whether a function has written results and then returned another code than FETTLE_DONE.
+    bool wrote_after_error() const { return wrote_after_error_; }
     /// Checks and destroys what a call made.
     void after_call() {
         if (depth_ == 0) calls_inside_ = 0;
-        Memory& made = memory();
+        CallMemory& made = memory();
         if (made.owner != nullptr) fettle_owner_destroy(made.owner);
         fettle_replay_destroy(made.replay);
         if (made.world != nullptr) {
@@ -436,7 +443,7 @@ class Arguments {
     }
     /// Memory for one input; a call has at most four.
     std::byte* room() {
-        Memory& of = memory();
+        CallMemory& of = memory();
         return of.inputs[of.next++ % std::size(of.inputs)];
     }
     std::byte* scratch() {
@@ -464,24 +471,7 @@ class Arguments {
         for (uint32_t i = 0; i < count && i < 4; ++i) ids_.push_back(found[i]);
     }
 
-    /// The memory that the pointers of a call point to. A call inside a callback must not write to
-    /// that of the outer call.
-    struct Memory {
-        fettle_world* world = nullptr;  // made by the call
-        fettle_owner* owner = nullptr;
-        fettle_replay* replay = nullptr;
-        fettle_segment_surface surfaces[16] = {};
-        fettle_mover_plane planes[16] = {};
-        fettle_vec2 points[16] = {};
-        float numbers[16] = {};
-        fettle_line_point line_points[16] = {};
-        fettle_id ids[16] = {};
-        fettle_world* worlds[16] = {};
-        alignas(16) std::byte inputs[4][512] = {};
-        uint32_t next = 0;
-        std::vector<std::byte> scratch;
-    };
-    Memory& memory() {
+    CallMemory& memory() {
         return memory_[depth_];
     }
 
@@ -490,9 +480,10 @@ class Arguments {
     fettle_owner* owner_ = nullptr;
     fettle_replay* replay_ = nullptr;
     std::vector<fettle_id> ids_;
-    Memory memory_[3];
+    CallMemory memory_[3];
     size_t depth_ = 0;  // number of calls around the present one
     uint32_t calls_inside_ = 0;
+    bool wrote_after_error_ = false;
     const std::thread::id thread_ = std::this_thread::get_id();
 };
 

@@ -27,12 +27,13 @@ TEST_CASE("calls in any order with any arguments leave consistent worlds") {
         Arguments arguments{Numbers(seed)};
         for (int i = 0; i < 3000; ++i) {
             const Call& call = any_call(arguments);
+            INFO("seed " << seed << ", call " << i << ", the last one " << call.name);
+            REQUIRE_FALSE(arguments.wrote_after_error());
             if (i % 100 != 0) continue;
             for (int k = 0; k < 3; ++k) {
                 const char* fault = nullptr;
                 REQUIRE(fettle_world_validate(arguments.world(k), &fault) == FETTLE_DONE);
-                INFO("seed " << seed << ", call " << i << ", the last one " << call.name << ": "
-                             << (fault != nullptr ? fault : ""));
+                INFO((fault != nullptr ? fault : ""));
                 REQUIRE(fault == nullptr);
                 fettle_statistics statistics;
                 REQUIRE(fettle_world_statistics(arguments.world(k), &statistics) == FETTLE_DONE);

@@ -438,6 +438,38 @@ static const char* a_mover_walks_to_a_wall(void) {
     return NULL;
 }
 
+static const char* an_error_writes_no_result(void) {
+    fettle_world* world = new_world();
+    const fettle_id ground = new_body(world, FETTLE_BODY_STATIC, 0, 0);
+    fettle_geometry line;
+    fettle_id chain;
+    fettle_vec2 points[3] = {{0, 0}, {1, 0}, {2, 1}}, piece[2] = {{7, 7}, {7, 7}};
+    uint32_t count = 7;
+    DONE_C(fettle_geometry_init(&line, sizeof line, FETTLE_SHAPE_CHAIN));
+    line.points = points;
+    line.point_count = 3;
+    DONE_C(fettle_body_add(world, ground, &line, NULL, &chain));
+    CHECK_C(fettle_shape_pieces(world, chain, 0, piece, 2, &count, NULL) == FETTLE_INVALID);
+    CHECK_C(piece[0].x == 7 && piece[1].y == 7 && count == 7);
+    fettle_world_destroy(world);
+    return NULL;
+}
+
+static void destroy(void* times, fettle_world* world) {
+    *(int*)times += fettle_world_destroy(world) == FETTLE_DONE;
+}
+
+static const char* a_function_after_the_step_may_destroy_the_world(void) {
+    fettle_world* world = new_world();
+    int times = 0;
+    DONE_C(fettle_world_after_step(world, destroy, &times));
+    DONE_C(fettle_world_after_step(world, destroy, &times));
+    DONE_C(fettle_world_step(world, 1.0f / 60));
+    CHECK_C(times == 1);
+    CHECK_C(fettle_world_step(world, 1.0f / 60) == FETTLE_STALE);
+    return NULL;
+}
+
 const struct named_c_test worlds_in_c[] = {
     {"a ball falls on a box", a_ball_falls_on_a_box},
     {"definitions have the defaults of the library", definitions_have_the_defaults_of_the_library},
@@ -454,4 +486,7 @@ const struct named_c_test worlds_in_c[] = {
     {"geometries need no world", geometries_need_no_world},
     {"bodies have names and limits and are disabled", bodies_have_names_and_limits_and_are_disabled},
     {"contacts are named by two shapes", contacts_are_named_by_two_shapes},
+    {"an error writes no result", an_error_writes_no_result},
+    {"a function after the step may destroy the world",
+     a_function_after_the_step_may_destroy_the_world},
     {NULL, NULL}};

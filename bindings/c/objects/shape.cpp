@@ -78,8 +78,9 @@ fettle_code fettle_shape_pieces(const fettle_world* world, fettle_id shape, uint
                                 uint32_t* pieces) {
     return on<Shape>(__func__, world, shape, [&](Shape it) {
         const auto all = it.pieces();
+        uint32_t& number = needed("pieces", pieces);  // before the list is written
         write_list(piece < all.size() ? all[piece] : std::vector<Vec2>(), out, room, count);
-        needed("pieces", pieces) = uint32_t(all.size());
+        number = uint32_t(all.size());
     });
 }
 

@@ -1,7 +1,7 @@
 """Properties of Python from the getters and setters of the interface in C."""
 
 from ._call import Invalid, check, ffi, lib, type_of
-from ._values import Pose, aabb, pair, two, vec2
+from ._values import Pose, aabb, is_real, pair, two, vec2
 
 _convert = {
     "float": None,
@@ -25,9 +25,9 @@ def to_number(ctype, value, name):
             if value in (False, True):
                 return bool(value)
         elif ctype == "float":
-            if not isinstance(value, (str, bytes, bytearray)):
+            if is_real(value):
                 return float(value)
-        elif int(value) == value and _whole[ctype][0] <= value <= _whole[ctype][1]:
+        elif is_real(value) and int(value) == value and _whole[ctype][0] <= value <= _whole[ctype][1]:
             return int(value)
     except (TypeError, ValueError, OverflowError):
         pass

@@ -1,5 +1,6 @@
 """Values of the library as values of Python, and the other way round."""
 
+from numbers import Complex, Real
 from typing import NamedTuple
 
 from ._call import Invalid, ffi
@@ -44,11 +45,28 @@ def number_of(names, text, what):
     raise Invalid(f"{what} = {text!r}: expected one of {', '.join(names.values())}")
 
 
+def is_real(value):
+    """False for what `float` and `int` take although it is no real number: text, and complex numbers of numpy."""
+    if type(value) in (float, int):
+        return True
+    return not isinstance(value, (str, bytes, bytearray)) and (not isinstance(value, Complex) or isinstance(value, Real))
+
+
+def floats(values):
+    """An array of floats in one piece, of anything with real numbers; TypeError, ValueError or OverflowError for anything else."""
+    import numpy
+    array = numpy.asarray(values)
+    if array.size and array.dtype.kind not in "biufO":
+        raise TypeError
+    with numpy.errstate(over="ignore"):  # the library refuses infinity
+        return numpy.ascontiguousarray(array, dtype=numpy.float32)
+
+
 def pair(value, what="a vector"):
     """Two numbers of anything with two of them."""
     try:
         x, y = value
-        if not any(isinstance(each, (str, bytes, bytearray)) for each in (value, x, y)):
+        if not isinstance(value, (str, bytes, bytearray)) and is_real(x) and is_real(y):
             return float(x), float(y)
     except (TypeError, ValueError, OverflowError):
         pass
@@ -90,9 +108,7 @@ def to_aabb(box, what):
 def points(values, what="points"):
     """An array in C, and its length."""
     try:
-        import numpy
-        with numpy.errstate(over="ignore"):  # the library refuses infinity
-            array = numpy.ascontiguousarray(values, dtype=numpy.float32)
+        array = floats(values)
     except (TypeError, ValueError, OverflowError):
         raise Invalid(f"{what}: expected pairs of numbers, got {values!r}") from None
     if array.size == 0:

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from ._call import Invalid, definition, ffi, lib, list_of
 from ._properties import to_number
-from ._values import Vec2, number_of, pair, points, to_list, vec2, windings
+from ._values import Vec2, floats, number_of, pair, points, to_list, vec2, windings
 
 
 class Line(NamedTuple):
@@ -47,10 +47,8 @@ def without_straight_points(line, straight, closed=False):
 def grid_outlines(values, threshold=0.5, origin=Vec2(0, 0), cell=1.0, straight=0.0):
     """The closed outlines of the area where a grid of numbers, row after row, is above `threshold`: clockwise around an area,
     counter-clockwise around a hole. Sample (column, row) is at origin + cell * (column, row)."""
-    import numpy
     try:
-        with numpy.errstate(over="ignore"):  # the library refuses infinity
-            array = numpy.ascontiguousarray(values, dtype=numpy.float32)
+        array = floats(values)
     except (TypeError, ValueError, OverflowError):
         raise Invalid("values: expected rows of numbers") from None
     if array.ndim != 2:

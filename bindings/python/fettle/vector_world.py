@@ -8,6 +8,7 @@ import numpy
 
 from ._call import Invalid, check, ffi, hold, lib
 from ._properties import to_number
+from ._values import floats
 from .body import Body
 from .world import World
 
@@ -124,8 +125,7 @@ class VectorWorld:
 
     def _set_forces(self, forces):
         try:
-            with numpy.errstate(over="ignore"):  # the library refuses infinity
-                self._forces[...] = forces
+            self._forces[...] = floats(forces)
         except (TypeError, ValueError, OverflowError):
             shape = numpy.shape(forces) if isinstance(forces, numpy.ndarray) else forces
             raise Invalid(f"forces: expected an array of numbers of the shape {self._forces.shape}, got {shape!r}") from None

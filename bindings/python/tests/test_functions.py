@@ -27,6 +27,19 @@ def run(world, steps):
 
 
 class Functions(unittest.TestCase):
+    def test_complex_numbers_and_text_are_no_numbers(self):
+        world, _, ball = a_world()
+        env = fettle.VectorWorld(lambda made: [made.body()], count=2)
+        for bad in (numpy.array([1, 2j]), numpy.array([1, 2], dtype=numpy.complex64), ("1", "2"), [1j, 2]):
+            for act in (lambda: setattr(ball, "position", bad), lambda: setattr(ball, "mass", bad[0]),
+                        lambda: setattr(world, "substeps", bad[0]), lambda: setattr(ball, "user_data", bad[0]),
+                        lambda: ball.add(fettle.Polygon([bad] * 3)), lambda: fettle.grid_outlines([bad, bad]),
+                        lambda: env.step([[bad], [bad]])):
+                with self.assertRaises(fettle.Invalid):
+                    act()
+        ball.user_data = 2**64 - 1
+        self.assertEqual(ball.user_data, 2**64 - 1)
+
     def test_a_velocity_function_replaces_gravity(self):
         world, _, ball = a_world()
         seen = []

@@ -14,7 +14,8 @@ extern "C" {
 
 typedef struct fettle_game fettle_game;
 
-/* Null if there is not enough memory. */
+/* Null if there is not enough memory. The other functions do nothing with a null game, and return
+ * null or FETTLE_ERR_FAILED. */
 fettle_game* fettle_game_open(void);
 void fettle_game_close(fettle_game* game);
 /* Valid until the game is closed. `define_class` refuses: only modules define classes. */

@@ -13,7 +13,8 @@ namespace fettle::physics {
 /// `World::set_owner` sets the owner of a world. From then on only the host may create and destroy
 /// objects in it: while no `Acting` exists, these calls throw `Locked` and change nothing:
 ///
-/// - `create_...`, `clear`, `restore`, `take` (of both worlds) and assignment to the world;
+/// - `create_...`, `clear`, `restore`, `take` (of both worlds), moving the world and assignment to
+/// it;
 /// - `Body::add`, `Shape::attach`, `Shape::detach`, and `destroy` of everything;
 /// - `Shape::set_geometry` with another type of geometry, and `Field::set` with another type of
 ///   force or other user data;

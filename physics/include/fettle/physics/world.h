@@ -76,8 +76,8 @@ class World {
   public:
     /// An empty world. Throws std::invalid_argument for a value out of its range.
     explicit World(const WorldDef& def = {});
-    /// Inside a function that the world is calling: the step or the query continues to its end and
-    /// then throws `Locked`, and handles report that their world was destroyed.
+    /// Inside a callback: the step or the query continues to its end and then throws `Locked`, and
+    /// handles report that their world was destroyed.
     ~World();
     /// Moves everything: objects, callbacks, owner and threads. Handles to objects of `other` are
     /// handles of this world then, and `other` is an empty world with the default settings.
@@ -111,8 +111,9 @@ class World {
     void step(float dt);
     /// Calls `act` once, when the running step has ended; outside of a step: after the next one. It
     /// may edit the world, so a callback can order an edit by it. Functions are called in the order
-    /// in which they were given; all are called even if one throws. They belong to the world, and
-    /// not to its state. An empty function is ignored.
+    /// in which they were given; all are called even if one throws. One may also destroy the world;
+    /// the functions after it are not called then. They belong to the world, and not to its state.
+    /// An empty function is ignored.
     void after_step(Function<void()> act) const;
 
     Vec2 gravity() const;                   ///< m/s²

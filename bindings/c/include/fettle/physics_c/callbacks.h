@@ -3,7 +3,8 @@
  * `user` is the pointer that was given with the function. A function may read the world and make
  * queries of it. Functions that edit, step, restore, assign, clear or destroy the world, or that
  * set a callback, are refused with FETTLE_LOCKED inside it, and so are saving, copying and
- * fettle_world_validate inside a step. Other worlds are not affected. It runs on the thread of the
+ * fettle_world_validate inside a step, and saving and fettle_world_validate inside a visitor and a
+ * function that draws. Other worlds are not affected. It runs on the thread of the
  * caller, and must return: it must not jump out or throw past the library (an exception of a C++
  * function is caught, and the call of the world gives FETTLE_FAILED after it is complete).
  *

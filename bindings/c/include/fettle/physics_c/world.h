@@ -10,15 +10,16 @@ FETTLE_PHYSICS_C_BEGIN
 /** A new world; a null def stands for the defaults. */
 fettle_code fettle_world_create(const fettle_world_def* def, fettle_world** world);
 
-/** Destroys the world with all its objects. FETTLE_LOCKED inside a function that it is calling.
-   Null is allowed and does nothing. */
+/** Destroys the world with all its objects. FETTLE_LOCKED inside a function that it is calling,
+   except for one of fettle_world_after_step. Null is allowed and does nothing. */
 fettle_code fettle_world_destroy(fettle_world* world);
 
 /** Advances by `dt` seconds; does nothing unless it is positive and finite; NaN is refused. */
 fettle_code fettle_world_step(fettle_world* world, float dt);
 
 /** Calls `function` once with `user`, when the running step has ended; outside of a step: after the
-    next one. It may edit the world, so a callback can order an edit by it. */
+    next one. It may edit the world, so a callback can order an edit by it. It may also destroy the
+    world; the functions that were to be called after it are not called then. */
 typedef void (*fettle_after_step)(void* user, fettle_world* world);
 fettle_code fettle_world_after_step(fettle_world* world, fettle_after_step function, void* user);
 

@@ -68,9 +68,9 @@ typedef struct fettle_class_def {
     structure. */
 fettle_code fettle_class_def_init(fettle_class_def* def, size_t size);
 
-/** Adds a class to the game. FETTLE_INVALID, and nothing changes, for a name that is taken, that is
-   not a name, or that is nearly one of the base class, and for a default that the property would
-   refuse. Not in a callback. */
+/** Adds a class to the game. FETTLE_INVALID, and nothing changes, for a name that is taken or that
+   is not a name, for a property whose name is nearly that of one of the base class ("velocty" in a
+   Body), and for a default that the property would refuse. Not in a callback. */
 fettle_code fettle_hosted_define(fettle_hosted* game, const fettle_class_def* def);
 
 FETTLE_HOST_END
