@@ -74,6 +74,7 @@ Transaction History::take(Transactions& list) {
 void History::make_void(Transaction& transaction) {
     forget(transaction);
     transaction.steps = {};
+    transaction.taken = {};
     transaction.too_large = true;
 }
 
