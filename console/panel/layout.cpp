@@ -32,7 +32,7 @@ constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspecto
 constexpr float low_plot = 4.1f, low_list = 2, low_frames = 5;  // in low windows; below that, none
 constexpr float least_beside = 15;      // the inspector: its width beside the panel
 constexpr float useful_inspector = 14;  // its height below the panel, with some properties
-constexpr float least_legend = 80;      // in pixels: the legend of `view.show.blame`
+constexpr float least_legend = 5.3f;    // the legend of `view.show.blame`, with three rows
 constexpr float compared_share = 0.4f;  // of the screen's height that other views leave two runs
 
 /// A window without a picture over an edge, which can be dragged. Returns whether it is.
@@ -233,7 +233,7 @@ float Console::State::comparison_height() {
 /// The height that stays free above the views at the lower edge for the legend of the game's
 /// overlays.
 float Console::State::legend_room() const {
-    return shows("blame") ? least_legend : 0;
+    return shows("blame") ? std::ceil(least_legend * ImGui::GetFontSize()) : 0;
 }
 
 app::ClipRectangle Console::State::free_area(const app::ClipRectangle& whole) const {
