@@ -109,4 +109,12 @@ TEST_CASE("an assignment that changes nothing is no step of undo") {
     CHECK(s.console("undo()") == "nothing to undo");
 }
 
+TEST_CASE("a child is listed as it is written behind the path of its parent") {
+    Stage s;
+    s.run("world['my ball'] = Body {} world.plain = Body {}");
+    const std::string all = s.console("world");
+    CHECK(all.find("  [\"my ball\"]") != std::string::npos);
+    CHECK(all.find("  .plain") != std::string::npos);
+}
+
 }  // namespace typed_commands_test
