@@ -379,6 +379,10 @@ float Console::covered_below() const {
     return std::max(0.0f, s.screen.height - top);
 }
 
+float Console::text_size() const {
+    return state_->screen.width > 0 ? state_->text_size() : 0;
+}
+
 app::ClipRectangle Console::free_area(const app::ClipRectangle& whole) const {
     return state_->free_area(whole);
 }

@@ -26,12 +26,13 @@ constexpr float handle_size = 16;  // width of the edges for resizing, half of i
 // The least sizes of the windows, in ems.
 constexpr float least_panel = 26, least_height = 8.5f;  // the panel: its width and height
 constexpr float least_log = 6.5f;    // the panel without overlays: title, a line and prompt
+constexpr float useful_log = 10.5f;  // with three lines more, which an answer mostly needs
 constexpr float stacked_below = 44;  // the watch list and the plot, in narrower windows
 constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspector = 8;
-constexpr float low_plot = 4.5f, low_list = 2, low_frames = 5;  // in low windows; below that, none
+constexpr float low_plot = 4.1f, low_list = 2, low_frames = 5;  // in low windows; below that, none
 constexpr float least_beside = 15;      // the inspector: its width beside the panel
 constexpr float useful_inspector = 14;  // its height below the panel, with some properties
-constexpr float least_legend = 80;      // in pixels: the legend of `view.show.blame`
+constexpr float least_legend = 5.3f;    // the legend of `view.show.blame`, with three rows
 constexpr float compared_share = 0.4f;  // of the screen's height that other views leave two runs
 
 /// A window without a picture over an edge, which can be dragged. Returns whether it is.
@@ -172,24 +173,34 @@ float Console::State::inspector_width() {
 }
 
 /// The panel covers nothing that is below it, unless the window is lower than all of them: then
-/// views at the lower edge get less room, or are left out.
+/// views at the lower edge get less room, or are left out. What is left out takes no room from the
+/// panel.
 float Console::State::panel_height() {
     const float em = ImGui::GetFontSize();
-    float below = 2 * margin;
-    if (settings.flag("time_bar") && views.time_bar.available())
-        below += views.time_bar.height() + margin;
-    const bool plotted = !observing.plots().empty();
-    if (plotted) below += least_plot_height() + margin;
-    if (!observing.pins().empty() && (!plotted || screen.width < stacked_below * em))
-        below += least_list * em + margin;
-    if (options.frames != nullptr && shows("timings")) below += least_frames * em + margin;
-    if (settings.flag("inspector") && !inspector_is_beside())
-        below += useful_inspector * em + margin;
-    if (comparison_height() > 0) below += comparison_height() + margin;
-    below += legend_room();
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
     const float least = std::min(whole, least_log * em + overlays);
+    const float useful = std::min(whole, useful_log * em + overlays);
+    float below = 2 * margin;
+    if (settings.flag("time_bar") && views.time_bar.available())
+        below += views.time_bar.height() + margin;
+    if (comparison_height() > 0) below += comparison_height() + margin;
+    below += legend_room();
+    const auto leaves_enough = [&](float height) {
+        return comparison_height() > 0 || screen.height - below - height - margin >= useful;
+    };
+    // What a person has asked for gets its least room where there is too little.
+    const auto leave = [&](float usual, float low) {
+        below += (leaves_enough(usual) ? usual : low) + margin;
+    };
+    const bool plotted = !observing.plots().empty();
+    if (plotted) leave(least_plot_height(), lowest_plot_height());
+    if (!observing.pins().empty() && (!plotted || screen.width < stacked_below * em))
+        leave(least_list * em, low_list * em);
+    if (options.frames != nullptr && shows("timings")) leave(least_frames * em, low_frames * em);
+    if (settings.flag("inspector") && !inspector_is_beside() &&
+        leaves_enough(useful_inspector * em))
+        below += useful_inspector * em + margin;
     // A good third of a low window has room for the title, one line and the prompt; overlays take
     // none of it.
     const float usual =
@@ -201,6 +212,12 @@ float Console::State::panel_height() {
 /// Each value but the first adds its line of the legend, so that the curves keep their height.
 float Console::State::least_plot_height() const {
     return least_plot * ImGui::GetFontSize() +
+           PlotView::added_legend_height(observing.plots().size());
+}
+
+/// The same in a low window; a plot with less room is left out.
+float Console::State::lowest_plot_height() const {
+    return low_plot * ImGui::GetFontSize() +
            PlotView::added_legend_height(observing.plots().size());
 }
 
@@ -216,7 +233,7 @@ float Console::State::comparison_height() {
 /// The height that stays free above the views at the lower edge for the legend of the game's
 /// overlays.
 float Console::State::legend_room() const {
-    return shows("blame") ? least_legend : 0;
+    return shows("blame") ? std::ceil(least_legend * ImGui::GetFontSize()) : 0;
 }
 
 app::ClipRectangle Console::State::free_area(const app::ClipRectangle& whole) const {
@@ -334,8 +351,7 @@ void Console::State::draw_observed(float right) {
     if (pinned)
         list = stacked ? wide : std::min(wide, plotted ? std::min(28 * em, wide * 0.5f) : 34 * em);
     // A list above which a plot stands leaves it the least room, and scrolls.
-    const float lowest_plot =
-        low_plot * em + PlotView::added_legend_height(observing.plots().size());
+    const float lowest_plot = lowest_plot_height();
     const float of_plot = plotted && stacked ? std::ceil(lowest_plot + margin) + 1 : 0;
     const float list_room = std::max(low_list * em, room - of_plot);
     if (room < low_list * em)

@@ -222,6 +222,7 @@ struct Console::State {
     float legend_room() const;
     float free_for_inspector() const;
     float least_plot_height() const;
+    float lowest_plot_height() const;
     float comparison_height();
     app::ClipRectangle free_area(const app::ClipRectangle& whole) const;
     void draw_panel(float width, float height, float cell);

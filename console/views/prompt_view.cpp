@@ -38,8 +38,9 @@ float PromptView::height(float available) const {
     float line_height = ImGui::GetTextLineHeightWithSpacing();
     auto lines = static_cast<float>(prompt_.edit().line_count());
     float padding = 2 * ImGui::GetStyle().FramePadding.y;
-    return std::min(lines * line_height + padding,
-                    std::max(line_height + padding, std::floor(available / 3)));
+    // Whole lines: a line that is cut cannot be read.
+    const float most = std::max(1.0f, std::floor((available / 3 - padding) / line_height));
+    return std::min(lines, most) * line_height + padding;
 }
 
 void PromptView::draw(float height, float cell, bool focused) {

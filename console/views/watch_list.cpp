@@ -124,7 +124,9 @@ std::vector<std::string> in_rows(std::string_view text, float width) {
 
 }  // namespace
 
-WatchList::Row WatchList::row_of(const property::Tree& tree, const Trace& pin, float width) const {
+/// `low`: the name is shortened beside the value, even where the whole name would fit above it.
+WatchList::Row WatchList::row_of(const property::Tree& tree, const Trace& pin, float width,
+                                 bool low) const {
     Row row;
     const float em = ImGui::GetFontSize(), side = ImGui::GetFrameHeight();
     // A text or a list has no curve.
@@ -147,7 +149,7 @@ WatchList::Row WatchList::row_of(const property::Tree& tree, const Trace& pin, f
     row.value = value_in(row.room - em - name_width, widest);
     row.value_width = std::min(row.value.place(), widest);
     row.name_width = row.room - row.value_width - em;
-    if (name_width > row.name_width) {
+    if (name_width > row.name_width && !low) {
         row.above = in_rows(shortened(name, 1e9f), width - side - em);
         row.value = value_in(row.room - em, row.room - em);
         row.value_width = row.room - em;
@@ -206,9 +208,9 @@ void WatchList::draw(ImVec2 corner, float width, float room, const property::Tre
     buttons_.clear();
     if (pins.empty()) return hide();
     ImGuiStyle& style = ImGui::GetStyle();
-    const auto rows_in = [&](float inside) {
+    const auto rows_in = [&](float inside, bool low) {
         std::vector<Row> rows;
-        for (const Trace& pin : pins) rows.push_back(row_of(tree, pin, inside));
+        for (const Trace& pin : pins) rows.push_back(row_of(tree, pin, inside, low));
         return rows;
     };
     const auto height_of = [&](const std::vector<Row>& rows) {
@@ -217,13 +219,16 @@ void WatchList::draw(ImVec2 corner, float width, float room, const property::Tre
         return whole;
     };
     float inside = width - 2 * style.WindowPadding.x;
-    std::vector<Row> rows = rows_in(inside);
+    std::vector<Row> rows = rows_in(inside, false);
+    // In a low window, a value in sight is worth more than the beginning of a name.
+    const bool low = 2 * style.WindowPadding.y + rows.front().height > room;
+    if (low) rows = rows_in(inside, true);
     const float whole = height_of(rows);
     const float height = std::max(1.0f, std::min(whole, room));
     // Dear ImGui decides by the last picture: a bar that was needed there would make the rows
     // narrower and higher, so that it stays.
     const bool scrolls = whole > room;
-    if (scrolls) rows = rows_in(inside -= style.ScrollbarSize);
+    if (scrolls) rows = rows_in(inside -= style.ScrollbarSize, low);
     ImGui::SetNextWindowPos(ImVec2(corner.x, corner.y - height));
     ImGui::SetNextWindowSize(ImVec2(width, height));
     ImGui::SetNextWindowBgAlpha(opacity);

@@ -57,7 +57,7 @@ class WatchList {
         float curve = 0;                        // px, of the place of the curve
         float height = 0;                       // px
     };
-    Row row_of(const property::Tree& tree, const Trace& pin, float width) const;
+    Row row_of(const property::Tree& tree, const Trace& pin, float width, bool low) const;
 
   private:
     void draw_row(const property::Tree& tree, const Trace& pin, const Row& row, float width);

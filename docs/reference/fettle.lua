@@ -3091,7 +3091,7 @@ table = {}
 
 utf8 = {}
 
----Shows the last seconds twice, side by side: A with everything at its place of then, and B with that value of the property from their beginning on. Both have the shapes and colors of now. Scripts do not run again: what they wrote then is written in B, too. seconds: 4 if it is left out, 0.1 to 60. The game does not change. Without a path the comparison ends. ab("world.ball.mass", 3).
+---Shows the last seconds twice, side by side: A as they passed, and B with that value of the property from their beginning on. Each picture has the shapes, colors and view of its moment. Scripts do not run again: what they wrote then is written in B, too. seconds: 4 if it is left out, 0.1 to 60. The game does not change. Without a path the comparison ends. ab("world.ball.mass", 3).
 ---@param path? string
 ---@param value? any
 ---@param seconds? number

@@ -73,6 +73,7 @@ Session::Session(const RunOptions& options, app::Clipboard* clipboard,
     runtime_->on_print([this](std::string_view text) { print(text); });
     runtime_->on_note([this](std::string_view text) { note("note: " + std::string(text)); });
     loop_ = std::make_unique<app::Loop>(tree_, *runtime_, *services_);
+    loop_->timeline().on_dropped_branch([this](const std::string& line) { note(line); });
     loop_->on_error([this](const script::ScriptError& error) { fail(error); });
     loop_->before_step([this](std::uint64_t step) { run_at(step); });
     loop_->after_barrier([this] {

@@ -168,6 +168,8 @@ TEST_CASE("blame draws what is in a layer where the layer places it") {
 TEST_CASE("the legend of writers is in the part of the screen that layers leave free") {
     struct Covering : app::Layer {
         app::ClipRectangle free{0, 0, 0, 0};
+        float size = 0;
+        float text_size() const override { return size; }
         bool handle(const app::InputEvent&) override { return false; }
         void draw(app::Surface&, double) override {}
         app::ClipRectangle free_area(const app::ClipRectangle&) const override { return free; }
@@ -202,6 +204,36 @@ TEST_CASE("the legend of writers is in the part of the screen that layers leave 
     CHECK(part.right <= 300);
     layer.free = {40, 300, 260, 40};
     CHECK(drawn().lines.empty());
+    // Its texts are as high as those of the layer.
+    layer.free = {0, 0, 1280, 800};
+    const auto pitch = [&] {
+        const app::NotingSurface screen = drawn();
+        return screen.lines[1].second - screen.lines[0].second;
+    };
+    const float usual = pitch();
+    layer.size = 30;
+    CHECK(pitch() == 2 * usual);
+}
+
+TEST_CASE("the timings of the game are not drawn under a layer that shows them") {
+    struct Covering : app::Layer {
+        bool handle(const app::InputEvent&) override { return false; }
+        void draw(app::Surface&, double) override {}
+        app::ClipRectangle free_area(const app::ClipRectangle& whole) const override {
+            return {whole.left, 100, whole.width, whole.height - 100};
+        }
+    } layer;
+    Game game;
+    game.set("view.show.timings", true);
+    game.loop.turn();
+    const auto lines = [&] {
+        app::NotingScreen screen;
+        game.loop.draw(screen, 0);
+        return screen.noted_surface.lines.size();
+    };
+    CHECK(lines() > 0);
+    game.loop.add(layer);
+    CHECK(lines() == 0);
 }
 
 TEST_CASE("two writers in the legend of blame never have one color") {

@@ -178,4 +178,46 @@ TEST_CASE("an instance that was deleted below another one stays deleted when tha
     CHECK(output_of_next_run(game, "print(world.s, world.s:has(\"k\"))") == "world.s\tfalse\n");
 }
 
+TEST_CASE("a kept deletion below one of two instances of a scene file leaves the other as it is") {
+    const Folder folder;
+    const std::string level =
+        "{\"fettle_scene\": 1, \"class\": \"Object\", \"name\": \"lvl\", \"children\": [\n"
+        "{\"class\": \"Object\", \"name\": \"d\", \"ad_hoc\": {\"k\": 1}},\n"
+        "{\"class\": \"Object\", \"name\": \"e\", \"ad_hoc\": {\"k\": 2}}]}\n";
+    folder.write("lvl.json", level);
+    folder.write(
+        "main.lua",
+        "for i = 1, 2 do scene.load('lvl.json', world) end "
+        "function all() local names = {} for _, top in ipairs({world.lvl, world.lvl_1}) do "
+        "for _, each in ipairs(top:children()) do names[#names + 1] = top.name .. '.' .. "
+        "each.name end end return table.concat(names, ' ') end");
+    SECTION("of one") {
+        const Outcome kept = run(folder, {"2:world.lvl_1.d:delete()", "3:keep('**')"});
+        INFO(kept.out);
+        CHECK(folder.text("lvl.json") == level);
+        CHECK(output_of_next_run(folder, "print(all())") == "lvl.d lvl.e lvl_1.e\n");
+        // It is brought back and kept again.
+        run(folder, {"2:world.lvl_1.e:delete()", "3:keep('**')", "4:undo()", "5:keep('**')"});
+        CHECK(output_of_next_run(folder, "print(all())") == "lvl.d lvl.e lvl_1.e\n");
+    }
+    SECTION("of both while a value of another is kept, too") {
+        const Outcome kept = run(folder, {"2:world.lvl.d:delete()", "3:world.lvl_1.d:delete()",
+                                          "4:world.lvl_1.e.k = 5", "5:keep('**')"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "kept 3 tweaks"));
+        CHECK(output_of_next_run(folder, "print(all(), world.lvl_1.e.k)") == "lvl.e lvl_1.e\t5\n");
+    }
+    SECTION("of a new instance") {
+        run(folder, {"2:world.lvl.f = Object {}", "3:keep('**')"});
+        CHECK(folder.text("lvl.json") == level);
+        CHECK(output_of_next_run(folder, "print(all())") == "lvl.d lvl.e lvl.f lvl_1.d lvl_1.e\n");
+    }
+    SECTION("in a later run") {
+        run(folder, {"2:world.lvl.d:delete()"});
+        run(folder, {"2:keep('**')"});
+        CHECK(folder.text("lvl.json") == level);
+        CHECK(output_of_next_run(folder, "print(all())") == "lvl.e lvl_1.d lvl_1.e\n");
+    }
+}
+
 }  // namespace keep_places_test

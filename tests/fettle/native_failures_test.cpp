@@ -63,9 +63,8 @@ TEST_CASE("an error in a native step halts the game and fails a run and a test")
 TEST_CASE("a hash that a native module cannot compute is an error that names both") {
     const Folder folder;
     write_game(folder, "hash");
-    const std::vector<std::string> option =
-        GENERATE(as<std::vector<std::string>>(), std::vector<std::string>{"--hash"},
-                 std::vector<std::string>{"--record", "run.recording"});
+    std::vector<std::string> option = {"--hash"};
+    if (GENERATE(false, true)) option = {"--record", (folder / "run.recording").string()};
     const Outcome ran = run_native(folder, option);
     INFO(ran.out << ran.err);
     CHECK(ran.status == 1);

@@ -89,4 +89,32 @@ TEST_CASE("reading a local variable of an earlier command says that it ended wit
     CHECK(s.console("a") == "5");
 }
 
+TEST_CASE("a command of several statements prints its last expression") {
+    Stage s;
+    s.run("world.ball = Body { mass = 7 }");
+    CHECK(s.console("local y = 3; y") == "3");
+    CHECK(s.console("world.ball.mass = 5; world.ball.mass + 1") == "6|world.ball.mass: 7 → 5 kg");
+    CHECK(s.console("local t = { 1; 2 }; #t") == "2");
+    CHECK(s.console("local text = 'a; b'; text") == "\"a; b\"");
+    CHECK(s.runtime->evaluate("for i = 1, 3 do local a = 1; a").incomplete);
+}
+
+TEST_CASE("an assignment that changes nothing is no step of undo") {
+    Stage s;
+    s.run("world.ball = Body { mass = 7 }");
+    s.console("world.ball.mass = 5");
+    s.console("world.ball.mass = 5");
+    s.console("world.ball.number = nil");
+    CHECK(s.console("undo()") == "undo: world.ball.mass = 5|  world.ball.mass: 5 → 7 kg");
+    CHECK(s.console("undo()") == "nothing to undo");
+}
+
+TEST_CASE("a child is listed as it is written behind the path of its parent") {
+    Stage s;
+    s.run("world['my ball'] = Body {} world.plain = Body {}");
+    const std::string all = s.console("world");
+    CHECK(all.find("  [\"my ball\"]") != std::string::npos);
+    CHECK(all.find("  .plain") != std::string::npos);
+}
+
 }  // namespace typed_commands_test

@@ -179,4 +179,51 @@ TEST_CASE_METHOD(Forked, "branches are dropped before the past gets shorter") {
     CHECK(time().oldest() == oldest);
 }
 
+TEST_CASE("branches that a script leaves do not push out those of a person") {
+    Playing game(R"(
+        world.ball = Body { position = vec(0, 4), Circle {} }
+        function step(dt) if back and time.step % 10 == 9 then rewind(0.1) back = false end end
+    )");
+    std::vector<std::string> told;
+    game.time().on_dropped_branch([&](const std::string& line) { told.push_back(line); });
+    const auto run = [&](int steps) {
+        for (int i = 0; i < steps; ++i) game.loop->turn();
+    };
+    const auto script_goes_back = [&] {
+        game.runtime->run("back = true", "test");
+        run(20);
+    };
+    const auto names = [&] {
+        std::string all = game.get("time.branch").text() + ":";
+        for (const Branch& branch : game.time().branches()) all += " " + branch.name;
+        return all;
+    };
+    run(40);
+    game.time().go_to(30);
+    run(20);
+    CHECK(names() == "2: 1");
+    for (int i = 0; i < 3; ++i) script_goes_back();
+    CHECK(names() == "5: 1 2 3 4");
+    CHECK(told.empty());
+    script_goes_back();
+    script_goes_back();
+    CHECK(names() == "7: 1 4 5 6");
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].find("branch \"2\" is dropped: time.branch_limit is 4") == 0);
+    try {
+        game.time().switch_to("2");
+        FAIL();
+    } catch (const property::Error& error) {
+        CHECK(std::string(error.what()) == "the branch \"2\" was dropped: time.branch_limit is 4");
+    }
+    // Those of persons are dropped last, each with a line.
+    for (int i = 0; i < 4; ++i) {
+        game.time().go_to(game.get("time.step").integer() - 5);
+        run(8);
+    }
+    CHECK(names() == "11: 7 8 9 10");
+    CHECK(told.size() == 2);
+    CHECK(told.back() == "branch \"1\" is dropped: time.branch_limit is 4");
+}
+
 }  // namespace branches_test

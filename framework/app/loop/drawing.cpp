@@ -176,11 +176,15 @@ void Loop::draw(Screen& screen, double seconds) {
     draw_transition(painter, tree_, drawn.picture());
     if (const Effect* const effect = services_.effects().now(clock.now))
         services_.effects().drawn(screen.apply(*effect));
+    Surface& surface = screen.surface();
+    const ClipRectangle free = free_area({0, 0, surface.width(), surface.height()});
     if (blame) {
-        const Surface& surface = screen.surface();
-        blame->draw_legend(screen.surface(), free_area({0, 0, surface.width(), surface.height()}));
+        float size = 0;
+        for (const Layer* layer : layers_) size = std::max(size, layer->text_size());
+        blame->draw_legend(surface, free, size);
     }
-    if (view.show.timings) draw_timings(screen.surface(), clock);
+    // A layer at the upper edge, such as the console, shows them itself.
+    if (view.show.timings && free.top == 0) draw_timings(surface, clock);
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;

@@ -1,6 +1,7 @@
 #include <fettle/app/error_screen.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -17,14 +18,25 @@ constexpr SurfaceColor red{255, 112, 104, 255};
 constexpr SurfaceColor amber{255, 205, 120, 255};
 constexpr SurfaceColor green{166, 218, 149, 255};
 
-constexpr int steps_a_key = 6;      // of the arrows that go through the past
-constexpr float margin = 48;        // px
-constexpr float small_margin = 16;  // px, below another layer
-constexpr float keys_height = 44;   // px, of the bar with the keys
+constexpr int steps_a_key = 6;       // of the arrows that go through the past
+constexpr float widest_margin = 48;  // px
+constexpr float small_margin = 16;   // px, below another layer
+constexpr float small_width = 640;   // px; texts and margins are smaller in narrower windows
+constexpr float keys_height = 44;    // px, of the bar with the keys
+
+/// Of the texts, at both sides, px.
+float margin_in(const Surface& surface) {
+    return std::clamp(widest_margin * surface.width() / small_width, small_margin, widest_margin);
+}
+
+/// Factor of the size of large texts.
+float scale_in(const Surface& surface) {
+    return std::clamp(surface.width() / small_width, 0.8f, 1.0f);
+}
 
 /// Width of the text in a part of the surface, px.
-float text_width(const ClipRectangle& part) {
-    return std::max(100.0f, part.width - 2 * margin);
+float text_width(const Surface& surface, const ClipRectangle& part) {
+    return std::max(100.0f, part.width - 2 * margin_in(surface));
 }
 
 /// Length of the part of `text` that fits `width` pixels; it ends after a space if there is one.
@@ -328,9 +340,13 @@ ClipRectangle ErrorScreen::free_part(const Surface& surface) const {
 /// for.
 void ErrorScreen::draw_text(Surface& surface, float bottom) {
     const ClipRectangle part = free_part(surface);
-    const float room = text_width(part);
+    const float room = text_width(surface, part);
     bottom = std::min(bottom, part.top + part.height);
-    std::vector<Line> all = broken(surface, lines(), room);
+    const float margin = margin_in(surface);
+    std::vector<Line> unbroken = lines();
+    for (Line& line : unbroken)
+        if (line.size > 16) line.size = std::round(line.size * scale_in(surface));
+    std::vector<Line> all = broken(surface, unbroken, room);
     scroll_ = std::clamp(scroll_, 0, static_cast<int>(all.size()) - 1);
     float y = part.top + (part.top > 0 ? small_margin : margin);
     for (std::size_t i = static_cast<std::size_t>(scroll_); i < all.size() && y < bottom; ++i) {
@@ -373,6 +389,7 @@ std::vector<std::string> ErrorScreen::keys() const {
 void ErrorScreen::draw_keys(Surface& surface, float bottom) const {
     fill(surface, 0, bottom + 4, surface.width(), keys_height - 4, {10, 11, 15, 255});
     constexpr float size = 14, least_size = 9;
+    const float margin = margin_in(surface);
     const auto drawn = [&](std::size_t gap, float left, float letters, SurfaceColor color) {
         std::string line;
         for (const std::string& key : keys())
@@ -398,7 +415,7 @@ float ErrorScreen::draw_over(Surface& surface, float bottom) const {
         {.text = heading_over_, .size = 14, .color = pale},
         {.text = e.message, .size = 17, .color = red, .face = Face::bold, .above = 4}};
     if (!e.source_line.empty()) add_source(all, e);
-    const float room = text_width(free_part(surface));
+    const float room = text_width(surface, free_part(surface));
     const std::vector<Line> lines = broken(surface, all, room);
     float needed = 24;
     for (const Line& line : lines) needed += line.above + 1.32f * line.size;
@@ -408,7 +425,7 @@ float ErrorScreen::draw_over(Surface& surface, float bottom) const {
     float y = top + 12;
     for (const Line& line : lines) {
         y += line.above;
-        surface.text(margin, y, line.text, line.size, line.color, line.face);
+        surface.text(margin_in(surface), y, line.text, line.size, line.color, line.face);
         y += 1.32f * line.size;
     }
     return top;
@@ -417,7 +434,7 @@ float ErrorScreen::draw_over(Surface& surface, float bottom) const {
 /// Draws the message of the error and the keys; the game stays visible above.
 float ErrorScreen::draw_strip(Surface& surface, float bottom) const {
     constexpr std::size_t most_rows = 3;
-    const float room = text_width(free_part(surface));
+    const float room = text_width(surface, free_part(surface));
     const std::vector<Line> headline = {
         {.text = error_->message, .size = 16, .color = red, .face = Face::bold}};
     std::vector<Line> rows = broken(surface, headline, room);
@@ -431,7 +448,7 @@ float ErrorScreen::draw_strip(Surface& surface, float bottom) const {
     fill(surface, 0, top, 5, tall + keys_height, red);
     float y = top + 8;
     for (const Line& line : rows) {
-        surface.text(margin, y, line.text, line.size, line.color, line.face);
+        surface.text(margin_in(surface), y, line.text, line.size, line.color, line.face);
         y += row;
     }
     draw_keys(surface, bottom - keys_height);

@@ -89,8 +89,12 @@ Loop::Loop(property::Tree& tree, script::Runtime& runtime, Services& services)
         // The caller can catch this error. At the barrier, fewer steps may be kept, so the loop
         // goes to the nearest.
         timeline_.require(step);
-        tree_.at_barrier([this, step, watched_life = std::weak_ptr(life)] {
-            if (!watched_life.expired()) timeline_.go_near(step);
+        const property::Writer writer = tree_.cause().writer;
+        tree_.at_barrier([this, step, writer, watched_life = std::weak_ptr(life)] {
+            if (watched_life.expired()) return;
+            std::optional<property::Tree::CauseScope> cause;
+            if (writer == property::Writer::script) cause.emplace(tree_, writer);
+            timeline_.go_near(step);
         });
     };
     services_.clock.timeline.branches = [this] { return timeline_.branches(); };

@@ -189,8 +189,10 @@ void WriterColors::draw(property::Painter& painter, double alpha) const {
     tree_.draw(tree_.root(), tinted, alpha, &tints);
 }
 
-void WriterColors::draw_legend(Surface& surface, const ClipRectangle& room) const {
-    constexpr float row = 20, margin = 8, square = 14, gap = 10, text_size = 15;
+void WriterColors::draw_legend(Surface& surface, const ClipRectangle& room, float size) const {
+    constexpr float usual_size = 15;
+    const float scale = size > 0 ? size / usual_size : 1, text_size = usual_size * scale;
+    const float row = 20 * scale, margin = 8 * scale, square = 14 * scale, gap = 10 * scale;
     constexpr SurfaceColor text_color{235, 237, 242, 255}, unseen{0, 0, 0, 0};
     const float rows = std::floor((room.height - 4 * margin) / row);
     const float text_room = room.width - 4 * margin - square - gap;
@@ -228,9 +230,9 @@ void WriterColors::draw_legend(Surface& surface, const ClipRectangle& room) cons
         const auto byte = [](float part) {
             return static_cast<std::uint8_t>(std::lround(part * 255));
         };
-        fill(surface, left, y + 3, square, square,
+        fill(surface, left, y + 3 * scale, square, square,
              {byte(color.r), byte(color.g), byte(color.b), 255});
-        surface.text(left + square + gap, y + 1, lines[i], text_size, text_color, Face::plain);
+        surface.text(left + square + gap, y + scale, lines[i], text_size, text_color, Face::plain);
     }
 }
 

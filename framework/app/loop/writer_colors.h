@@ -30,8 +30,8 @@ class WriterColors {
     /// Draws all instances again, these in their colors and the others as they are.
     void draw(property::Painter& painter, double alpha) const;
     /// Draws how many instances each writer wrote, at the lower left of `room`; as many writers as
-    /// have room, and the others together.
-    void draw_legend(Surface& surface, const ClipRectangle& room) const;
+    /// have room, and the others together. `size`: height of the texts, px; 0: the usual one.
+    void draw_legend(Surface& surface, const ClipRectangle& room, float size = 0) const;
 
   private:
     property::Color color_of(const std::string& writer) const;

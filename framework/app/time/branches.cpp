@@ -38,13 +38,11 @@ std::size_t Timeline::Other::memory() const {
     return sum;
 }
 
-/// The smallest number that is not a name yet.
-std::string Timeline::new_branch_name() const {
-    for (std::size_t n = 1;; ++n) {
-        std::string name = std::to_string(n);
-        const auto same = [&](const Other& other) { return other.name == name; };
-        if (name != clock_.branch && std::none_of(others_.begin(), others_.end(), same))
-            return name;
+/// A number that no branch has had as its name.
+std::string Timeline::new_branch_name() {
+    for (;;) {
+        std::string name = std::to_string(++last_name_);
+        if (name != clock_.branch && !has_branch(name)) return name;
     }
 }
 
@@ -62,6 +60,7 @@ void Timeline::keep_branch() {
         }
     Other left{.name = clock_.branch,
                .named = std::exchange(named_, false),
+               .by_script = place_.by_script,
                .fork = place_.here,
                .keyframes = keyframes_,
                .steps = steps_,
@@ -69,7 +68,8 @@ void Timeline::keep_branch() {
     count_bytes(left);
     clock_.branch = new_branch_name();
     others_.push_back(std::move(left));
-    while (std::cmp_greater(others_.size(), clock_.branch_limit)) drop_branch();
+    while (std::cmp_greater(others_.size(), clock_.branch_limit))
+        drop_branch("time.branch_limit is " + std::to_string(clock_.branch_limit));
 }
 
 void Timeline::count_bytes(Other& branch) const {
@@ -95,11 +95,23 @@ void Timeline::trim_branches() {
     std::erase_if(others_, [&](const Other& other) { return other.newest() <= first; });
 }
 
-/// Drops the oldest branch that no person has named, or else the oldest.
-void Timeline::drop_branch() {
-    const auto unnamed = std::find_if(others_.begin(), others_.end(),
-                                      [](const Other& other) { return !other.named; });
-    others_.erase(unnamed == others_.end() ? others_.begin() : unnamed);
+/// A game that goes back by itself leaves branches all the time: they do not push out those that a
+/// person may want to look at again.
+void Timeline::drop_branch(const std::string& limit) {
+    constexpr std::size_t most_remembered = 100;
+    const auto rank = [](const Other& other) { return other.named ? 2 : other.by_script ? 0 : 1; };
+    const auto least =
+        std::min_element(others_.begin(), others_.end(),
+                         [&](const Other& a, const Other& b) { return rank(a) < rank(b); });
+    if (dropped_.size() == most_remembered) dropped_.erase(dropped_.begin());
+    dropped_[least->name] = limit;
+    const bool tells = !least->by_script || !std::exchange(script_drop_told_, true);
+    const std::string line = "branch \"" + least->name + "\" is dropped: " + limit +
+                             (least->by_script ? " (the game goes back by itself; its further "
+                                                 "branches are dropped without a line)"
+                                               : "");
+    others_.erase(least);
+    if (tells && told_dropped_) told_dropped_(line);
 }
 
 std::vector<Branch> Timeline::branches() const {
@@ -118,6 +130,9 @@ void Timeline::require_branch(const std::string& branch) const {
     if (branch == clock_.branch)
         throw property::Error(property::ErrorKind::unknown_name,
                               "the branch \"" + branch + "\" is the present one");
+    if (const auto dropped = dropped_.find(branch); dropped != dropped_.end())
+        throw property::Error(property::ErrorKind::unknown_name,
+                              "the branch \"" + branch + "\" was dropped: " + dropped->second);
     std::vector<std::string> names;
     for (const Other& other : others_) names.push_back(other.name);
     throw property::Error(property::ErrorKind::unknown_name,
@@ -161,6 +176,7 @@ void Timeline::exchange_with(Other& other) {
     drop_broken();
     std::swap(clock_.branch, other.name);
     std::swap(named_, other.named);
+    other.by_script = tree_.cause().writer == property::Writer::script;
     std::swap(keyframes_, other.keyframes);
     std::swap(steps_, other.steps);
     std::swap(tail_, other.tail);

@@ -187,6 +187,7 @@ void Timeline::travel(std::int64_t step) {
                                    [](std::int64_t s, const Keyframe& k) { return s < k.step; }));
     replay(*frame, step, {});
     place_.returned = step < newest();
+    place_.by_script = tree_.cause().writer == property::Writer::script;
 }
 
 /// Restores the keyframe and repeats the steps after it up to `step`. Calls `visit`, unless it is

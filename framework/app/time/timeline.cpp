@@ -326,7 +326,7 @@ void Timeline::trim() {
         drop_oldest();
     trim_branches();
     const std::size_t room = bytes_.room - std::min(bytes_.room, tree_.history_bytes());
-    while (!others_.empty() && memory() > room) drop_branch();
+    while (!others_.empty() && memory() > room) drop_branch("time.rewind_memory is full");
     while (keyframes_.size() > 1 && memory() > room) {
         if (pace_.spacing < max_spacing && keyframes_.size() > 2 && bytes_.logged < room / 2)
             thin_out();

@@ -74,6 +74,7 @@ Transaction History::take(Transactions& list) {
 void History::make_void(Transaction& transaction) {
     forget(transaction);
     transaction.steps = {};
+    transaction.taken = {};
     transaction.too_large = true;
 }
 
@@ -125,6 +126,10 @@ void History::edited(Handle instance, const Property& property, CellState before
             return;
         }
     }
+    // The value was there already.
+    if (before.present == after.present && before.overridden == after.overridden &&
+        !before.formula && !after.formula && before.value == after.value)
+        return;
     const std::string name = tree_.path(instance, property) + ": " +
                              short_text(tree_.text(before.value, property.precision())) + " → " +
                              short_text(tree_.text(after.value, property.precision()));

@@ -140,6 +140,9 @@ class History {
     void note_references();
     CellState before_deletion(Handle instance, const Property& property) const;
     UndoResult run(Transaction& transaction, bool back);
+    std::vector<DeletedInstance> made_by(const Transaction& transaction) const;
+    void give_back(const std::vector<DeletedInstance>& taken, UndoResult& result);
+    void give_back(const DeletedInstance& taken, UndoResult& result);
     void apply(CellEdit& edit, bool back, UndoResult& result);
     void add_change(Handle instance, const Property& property, const CellState& from,
                     UndoResult& result) const;

@@ -32,6 +32,7 @@ std::size_t bytes_of(const EditStep& step) {
 std::size_t Transaction::bytes() const {
     std::size_t sum = sizeof *this + 3 * overhead + name.size() + cause.where.size();
     for (const EditStep& step : steps) sum += bytes_of(step);
+    for (const DeletedInstance& instance : taken) sum += size_of(instance);
     return sum;
 }
 

@@ -51,6 +51,9 @@ struct Transaction {
     std::string name;
     Cause cause;
     std::vector<EditStep> steps;
+    /// What undoing it has taken away: its new instances, and those below them, as they were then.
+    /// The game may have changed them after the edit.
+    std::vector<DeletedInstance> taken;
     /// It took more memory than the limit, so its steps were dropped.
     bool too_large = false;
 

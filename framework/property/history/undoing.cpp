@@ -147,6 +147,7 @@ UndoResult History::run(Transaction& transaction, bool back) {
         return static_cast<bool>(above);
     };
     InstanceChanges instances(tree_, transaction);
+    if (back) transaction.taken = made_by(transaction);
     const auto one = [&](EditStep& step) {
         const bool silent = is_born(step);
         const std::size_t listed = result.changes.size(), more = result.more_changes;
@@ -165,9 +166,69 @@ UndoResult History::run(Transaction& transaction, bool back) {
             one(*step);
     else
         for (EditStep& step : transaction.steps) one(step);
+    if (!back) give_back(std::exchange(transaction.taken, {}), result);
     resolve(result);
     instances.put_before(result);
     return result;
+}
+
+/// The new instances of a transaction that still exist, and those below them, as they are now.
+std::vector<DeletedInstance> History::made_by(const Transaction& transaction) const {
+    std::vector<DeletedInstance> all;
+    std::unordered_set<std::uint32_t> seen;
+    for (const EditStep& step : transaction.steps) {
+        const auto* const made = std::get_if<ExistenceEdit>(&step);
+        if (made == nullptr || !made->birth || !tree_.alive(made->top)) continue;
+        for (DeletedInstance& each : deleted_below(made->top))
+            if (seen.insert(each.handle.index).second) all.push_back(std::move(each));
+    }
+    return all;
+}
+
+/// The steps of a transaction contain the values and places that its new instances got first. After
+/// they are made again, they get those that undo took away, all of one moment.
+void History::give_back(const std::vector<DeletedInstance>& taken, UndoResult& result) {
+    const std::size_t listed = result.changes.size(), more = result.more_changes;
+    for (const DeletedInstance& each : taken)
+        if (tree_.alive(each.handle)) give_back(each, result);
+    result.changes.resize(listed);
+    result.more_changes = more;
+}
+
+void History::give_back(const DeletedInstance& taken, UndoResult& result) {
+    const Position now = nodes_.position(taken.handle.index);
+    if (now.parent != taken.position.parent || now.name != taken.position.name) {
+        place(taken.handle, taken.position, result);
+        inform([&](EditObserver& observer) {
+            observer.moved(taken.handle, now.parent, now.name.text());
+        });
+    }
+    std::unordered_map<Symbol, const CellState*> states;
+    for (const auto& [symbol, state] : taken.cells) states[symbol] = &state;
+    std::vector<Symbol> all;
+    for (const Property* property : tree_.properties(taken.handle))
+        if (!property->read_only && property->binding.kind != BindingKind::node)
+            all.push_back(property->symbol);
+    for (const auto& [symbol, state] : taken.cells)
+        if (tree_.find(taken.handle, symbol) == nullptr) all.push_back(symbol);
+    for (const Symbol symbol : all) {
+        const CellState found = capture(taken.handle, symbol);
+        const Property* property = tree_.find(taken.handle, symbol);
+        CellState to{.present =
+                         property != nullptr && property->binding.kind != BindingKind::ad_hoc};
+        if (const auto known = states.find(symbol); known != states.end()) to = *known->second;
+        const bool formulas = found.formula && to.formula;
+        const bool same = found.present == to.present && found.overridden == to.overridden &&
+                          found.formula.has_value() == to.formula.has_value() &&
+                          (formulas ? found.formula->source == to.formula->source
+                                    : !to.overridden || found.value == to.value);
+        if (same) continue;
+        set_cell(taken.handle, symbol, to, result);
+        if (property == nullptr) property = tree_.find(taken.handle, symbol);
+        if (property != nullptr)
+            inform(
+                [&](EditObserver& observer) { observer.edited(taken.handle, *property, found); });
+    }
 }
 
 /// Writes the references whose targets exist again. The other cells keep the best possible state

@@ -16,6 +16,7 @@
 #include <console/echoes.h>
 #include <console/evaluate.h>
 #include <console/help.h>
+#include <console/last_expression.h>
 #include <console/long_text.h>
 #include <handlers/formulas.h>
 #include <handlers/function_source.h>
@@ -160,7 +161,10 @@ Compiled compile(lua_State* L, std::string_view command) {
     const char* const chunk_name = chunk.c_str();
     if (try_load_text(L, expression, chunk_name) == LUA_OK) return Compiled::expression;
     lua_pop(L, 1);
-    if (load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
+    if (try_load_text(L, command, chunk_name) == LUA_OK) return Compiled::statements;
+    lua_pop(L, 1);
+    if (load_with_last_expression(L, command, chunk_name)) return Compiled::statements;
+    (void)load_text(L, command, chunk_name);
     // Lua waits for what is to be done with the unit in x = 5 kg.
     if (ends_early(L) && ends_with_unit(command)) {
         lua_pop(L, 1);

@@ -66,7 +66,8 @@ std::vector<std::string> instance_lines(const property::Tree& tree, Handle handl
     std::vector<std::vector<std::string>> children;
     for (Handle child = tree.first_child(handle); child && children.size() < max_rows + max_folded;
          child = tree.next_sibling(child))
-        children.push_back({"  ." + tree.name(child), tree.class_of(child).name()});
+        children.push_back(
+            {"  " + property::path_suffix(tree.name(child)), tree.class_of(child).name()});
     const std::size_t before = lines.size();
     for (std::string& line : columns(children)) lines.push_back(std::move(line));
     fold_rows(lines,

@@ -107,6 +107,7 @@ Handle load_scene_file(Machine& machine, const char* what, const std::string& fi
                                   waits ? "" : name, &warnings, &instances);
     machine.declarations.made_with_values(loaded);
     if (waits) {
+        machine.declarations.scenes.push_back({path, std::move(instances), !name.empty()});
         place(machine, loaded, parent, name.empty() ? machine.tree.name(loaded) : name);
         return loaded;
     }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <fettle/property/snapshot.h>
 #include <fettle/script/runtime.h>
@@ -36,8 +37,11 @@ void travel(Machine& machine, const char* what, std::function<void()> go) {
         throw Error(ErrorKind::rejected, std::string(what) + ": " + std::to_string(max_travels) +
                                              " restores and rewinds wait for the next barrier "
                                              "already");
-    machine.tree.at_barrier([&machine, alive = machine.lua.alive, go = std::move(go)] {
+    const bool by_script = machine.tree.cause().writer == property::Writer::script;
+    machine.tree.at_barrier([&machine, alive = machine.lua.alive, go = std::move(go), by_script] {
         if (*alive == nullptr) return;
+        std::optional<property::Tree::CauseScope> cause;
+        if (by_script) cause.emplace(machine.tree, property::Writer::script);
         --machine.snapshots.travels;
         go();
     });

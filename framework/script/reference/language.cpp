@@ -8,11 +8,11 @@ namespace fettle::script {
 const std::vector<GlobalDoc>& global_docs() {
     static const std::vector<GlobalDoc> docs = {
         {"ab", "ab(path?: string, value?: any, seconds?: number)",
-         "Shows the last seconds twice, side by side: A with everything at its place of then, and "
-         "B "
-         "with that value of the property from their beginning on. Both have the shapes and colors "
-         "of now. Scripts do not run again: what they wrote then is "
-         "written in B, too. seconds: 4 if it is left out, 0.1 to 60. The game does not change. "
+         "Shows the last seconds twice, side by side: A as they passed, and B with that value of "
+         "the property from their beginning on. Each picture has the shapes, colors and view of "
+         "its "
+         "moment. Scripts do not run again: what they wrote then is written in B, too. seconds: 4 "
+         "if it is left out, 0.1 to 60. The game does not change. "
          "Without a path the comparison ends. ab(\"world.ball.mass\", 3)."},
         {"after", "after(seconds: number, action: fun(), options?: table): Connection",
          "Calls the function once, after that much simulation time. The function may call "

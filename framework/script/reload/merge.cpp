@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 
 #include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
@@ -20,6 +21,13 @@ namespace {
 
 bool is_place(const std::string& name) {
     return name == "name" || name == "parent";
+}
+
+bool is_below_any(const std::string& path, const std::unordered_set<std::string>& paths) {
+    for (std::size_t end = path.find_first_of(".["); end != std::string::npos;
+         end = path.find_first_of(".[", end + 1))
+        if (paths.contains(path.substr(0, end))) return true;
+    return false;
 }
 
 }  // namespace
@@ -62,7 +70,9 @@ void Merge::run(const std::vector<ScriptClasses::NewDefault>& defaults) {
         if (!tree_.alive(living)) continue;
         const auto now = next_by_handle_.find(made.key());
         if (now == next_by_handle_.end()) continue;
-        apply(*now->second, living, declared_before(living, now->second->path));
+        const Declared* before = declared_before(living, now->second->path);
+        if (before == nullptr && has_kept(living)) before = now->second;
+        apply(*now->second, living, before);
     }
     note_orders();
     refer_to_results();
@@ -111,6 +121,11 @@ void Merge::match(Handle made, Handle parent, const std::string& name) {
     const auto entry = next_by_handle_.find(made.key());
     const std::string path = entry == next_by_handle_.end() ? "" : entry->second->path;
     const Declared* const before = declared_before(path);
+    if (before == nullptr)
+        if (const Handle there = tree_.alive(parent) ? tree_.child(parent, name) : Handle{};
+            there && !matched_.contains(there.key()) && has_kept(there) &&
+            &tree_.class_of(there) == &tree_.class_of(made))
+            return add_pair(made, there);
     if (before == nullptr || before->of != &tree_.class_of(made)) {
         waiting_.push_back({made, parent, name});
         return;
@@ -196,30 +211,47 @@ void Merge::apply(const Declared& now, Handle to, const Declared* before) {
 
 void Merge::apply_one(Handle to, const std::string& name, const Assignment* now,
                       const Assignment* before) {
-    const Property* const property = tree_.find(to, name);
-    if (now == nullptr) {  // declared no more
-        if (property == nullptr) return;
-        if (property->binding.kind == property::BindingKind::ad_hoc) {
-            tree_.remove_ad_hoc(to, name);
-        } else if (before->before.is_nil()) {
-            tree_.reset(to, *property);
-        } else {
-            tree_.set(to, *property, before->before);
-        }
+    const Property* property = tree_.find(to, name);
+    if (now == nullptr ? property == nullptr : is_declared_before(to, property, *now, before))
         return;
-    }
-    if (now->formula) {
-        // The game may have replaced the old formula by a plain value.
-        const bool replaced = before != nullptr && before->formula && property != nullptr &&
-                              tree_.formula(to, *property) == nullptr &&
-                              before->formula->source == now->formula->source;
-        if (!replaced) tree_.set_formula(to, name, *now->formula);
-        return;
-    }
-    const Value value = translated(now->value);
-    if (before != nullptr && !before->formula && before->value == value) return;
-    if (property != nullptr && property->read_only) return;
-    tree_.set_or_add(to, name, value);
+    if (property != nullptr && (property->read_only || is_set_by_files(to, *property, now))) return;
+    const bool same_text = now != nullptr && now->formula && before != nullptr && before->formula &&
+                           before->formula->source == now->formula->source;
+    const std::string place = now == nullptr ? std::string() : now->place;
+    std::function<std::string()> locate = [&place] { return place; };
+    const property::Tree::CauseScope cause(tree_, property::Writer::script, &locate);
+    set(to, name, now, before);
+    property = tree_.find(to, name);
+    if (machine_.options.tweaks == nullptr || property == nullptr || same_text) return;
+    const std::string edit = machine_.options.tweaks->given_again(to, *property);
+    if (!edit.empty())
+        notes_.push_back(said(to, *property, now) + ", in place of the edit " + edit);
+}
+
+/// Whether nothing is to be done: the top level said the same before, so what has happened to the
+/// value since stays.
+bool Merge::is_declared_before(Handle to, const Property* property, const Assignment& now,
+                               const Assignment* before) const {
+    if (before == nullptr || before->formula.has_value() != now.formula.has_value()) return false;
+    if (!now.formula) return before->value == translated(now.value);
+    // The same text as before may use other variables of the script.
+    const property::Formula* const formula =
+        property == nullptr ? nullptr : tree_.formula(to, *property);
+    return before->formula->source == now.formula->source &&
+           (formula == nullptr || formula->source != now.formula->source);
+}
+
+void Merge::set(Handle to, const std::string& name, const Assignment* now,
+                const Assignment* before) {
+    if (now != nullptr && now->formula) return tree_.set_formula(to, name, *now->formula);
+    if (now != nullptr) return tree_.set_or_add(to, name, translated(now->value));
+    const Property& property = *tree_.find(to, name);  // declared no more
+    if (property.binding.kind == property::BindingKind::ad_hoc)
+        tree_.remove_ad_hoc(to, name);
+    else if (before->before.is_nil())
+        tree_.reset(to, property);
+    else
+        tree_.set(to, property, before->before);
 }
 
 /// References in new instances, which were written while the others were detached.
@@ -241,10 +273,12 @@ void Merge::apply_defaults(const std::vector<ScriptClasses::NewDefault>& default
     if (defaults.empty()) return;
     std::vector<Handle> all;
     tree_.each_below(tree_.root(), [&](Handle each) { all.push_back(each); });
+    property::Tweaks* const tweaks = machine_.options.tweaks;
     for (const Handle each : all)
         for (const auto& [property, before] : defaults) {
             if (!tree_.class_of(each).is_a(*property->owner)) continue;
             const Property* const here = tree_.find(each, property->symbol);
+            if (here == property && tweaks != nullptr) tweaks->default_changed(each, *here);
             if (here != property || tree_.formula(each, *here) != nullptr ||
                 !(tree_.peek(each, *here) == before))
                 continue;
@@ -252,6 +286,7 @@ void Merge::apply_defaults(const std::vector<ScriptClasses::NewDefault>& default
             if (declared != last_by_handle_.end() &&
                 declared->second->assignments.contains(property->name))
                 continue;
+            if (tweaks != nullptr && tweaks->has_edit(each, *property)) continue;
             const auto* const wanted = property;
             attempt(each, property->name,
                     [&, this] { tree_.set(each, *wanted, wanted->default_value); });
@@ -261,12 +296,22 @@ void Merge::apply_defaults(const std::vector<ScriptClasses::NewDefault>& default
 // --- Places
 
 void Merge::delete_undeclared() {
-    for (const Declared& before : machine_.declarations.last()) {
-        if (!before.made || before.path.empty() || matched_.contains(before.instance.key()) ||
-            !tree_.alive(before.instance))
-            continue;
-        attempt(before.instance, "", [&] { tree_.destroy(before.instance); });
-    }
+    std::unordered_set<std::string> declared, undeclared;
+    for (const Declared& now : next_) declared.insert(now.path);
+    std::vector<const Declared*> gone;
+    for (const Declared& before : machine_.declarations.last())
+        if (before.made && !before.path.empty() && !matched_.contains(before.instance.key())) {
+            gone.push_back(&before);
+            // The edits of one that gets another class follow it.
+            if (!declared.contains(before.path)) undeclared.insert(before.path);
+        }
+    for (const Declared* const before : gone)
+        if (undeclared.contains(before->path) && !is_below_any(before->path, undeclared))
+            drop_edits_below(tree_.alive(before->instance) ? tree_.path(before->instance)
+                                                           : before->path);
+    for (const Declared* const before : gone)
+        if (tree_.alive(before->instance))
+            attempt(before->instance, "", [&] { tree_.destroy(before->instance); });
 }
 
 void Merge::place_new() {
@@ -279,7 +324,7 @@ void Merge::place_new() {
                 tree_.replace(other, each.instance);
             else
                 tree_.move(each.instance, parent, each.name);
-            if (machine_.options.tweaks != nullptr) machine_.options.tweaks->placed(each.instance);
+            remake_edits(each.instance);
         });
     }
 }
@@ -353,6 +398,7 @@ void Merge::call_new() {
 }
 
 void Merge::finish() {
+    tell_scenes();
     for (const auto& [made, living] : pairs_)
         if (made != living) rebind(made, living);
     call_new();

@@ -5,6 +5,7 @@
 // The top level has made detached instances. If the top level made an instance for the same place
 // before, the detached one stands for that instance: only values that are declared differently are
 // given to the living instance, and the detached one is deleted. All other detached ones are new.
+// What a person has edited stays, unless the top level declares the same value differently.
 
 #include <string>
 #include <unordered_map>
@@ -52,6 +53,18 @@ class Merge {
     void apply(const Declared& now, property::Handle to, const Declared* before);
     void apply_one(property::Handle to, const std::string& name, const Assignment* now,
                    const Assignment* before);
+    bool is_declared_before(property::Handle to, const property::Property* property,
+                            const Assignment& now, const Assignment* before) const;
+    bool is_given_as_before(property::Handle made, const std::string& name) const;
+    bool is_set_by_files(property::Handle to, const property::Property& property,
+                         const Assignment* now);
+    void set(property::Handle to, const std::string& name, const Assignment* now,
+             const Assignment* before);
+    std::string said(property::Handle of, const property::Property& property,
+                     const Assignment* now) const;
+    void drop_edits_below(const std::string& path);
+    void remake_edits(property::Handle instance);
+    bool has_kept(property::Handle instance) const;
     void refer_to_results();
     void delete_undeclared();
     void place_new();
@@ -59,6 +72,7 @@ class Merge {
     void put_in_order();
     void apply_defaults(const std::vector<ScriptClasses::NewDefault>& defaults);
     void call_new();
+    void tell_scenes();
     void rebind(property::Handle made, property::Handle living);
     template <class Change>
     void attempt(property::Handle instance, const std::string& name, Change change);

@@ -18,13 +18,13 @@ Methods methods_of(Machine& machine, const property::Class& of) {
     lua_State* const L = machine.lua.main;
     std::vector<std::string> names;
     machine.classes.add_function_names(of, names);
-    Methods methods;
+    Methods names_by_address;
     for (const std::string& name : names) {
         if (!machine.classes.push_function(L, of, name)) continue;
-        methods.emplace(lua_topointer(L, -1), name);
+        names_by_address.emplace(lua_topointer(L, -1), name);
         lua_pop(L, 1);
     }
-    return methods;
+    return names_by_address;
 }
 
 }  // namespace

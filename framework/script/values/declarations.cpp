@@ -18,6 +18,7 @@ void Declarations::begin(bool reload) {
     placed_.clear();
     stand_ins_.clear();
     calls.clear();
+    scenes.clear();
 }
 
 Declarations::All Declarations::end() {
@@ -121,6 +122,7 @@ void Declarations::wrote(Handle instance, std::string_view name) {
     }
     Assignment& now = assignment(instance, name);
     now.value = tree_.peek(instance, *property);
+    if (reloading()) now.place = tree_.cause().where;
     now.formula.reset();
     if (const property::Formula* formula = tree_.formula(instance, *property))
         now.formula = *formula;
@@ -138,6 +140,7 @@ void Declarations::defer(Handle instance, std::string_view name, const Value& va
     now.value = property == nullptr                     ? value
                 : value.is_nil() && !property->nullable ? property->default_value
                                                         : tree_.coerce(instance, *property, value);
+    now.place = tree_.cause().where;
     now.formula.reset();
     const Assignment* last = last_assignment(instance, name);
     now.added = last != nullptr ? last->added : property == nullptr;

@@ -8,6 +8,7 @@
 // for an instance of the game is only noted, and read back from here.
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,6 +19,7 @@
 #include <vector>
 
 #include <fettle/property/path.h>
+#include <fettle/property/storage/scene.h>
 #include <fettle/property/tree.h>
 
 #include <values/recording.h>
@@ -32,6 +34,7 @@ class Declarations {
         std::optional<property::Formula> formula;
         property::Value before;  // before the first write; of an instance that it did not make
         bool added = false;      // the top level added the property
+        std::string place{};     // "main.lua:3"; known during a reload only
     };
     struct Declared {
         property::Handle instance;
@@ -100,6 +103,13 @@ class Declarations {
     const std::vector<property::Handle>& placed() const { return placed_; }
     const Place& place_of(property::Handle instance) const { return places_.at(instance.key()); }
     std::vector<Call> calls;
+    /// A scene file that the top level loads during a reload.
+    struct Scene {
+        std::filesystem::path file;
+        std::vector<property::SceneInstance> instances;
+        bool named = false;  // by the script
+    };
+    std::vector<Scene> scenes;
     /// The instance that will have this path, or the property of one.
     std::optional<property::Place> find_future(const std::string& path) const;
 

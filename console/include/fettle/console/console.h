@@ -136,6 +136,7 @@ class Console : public app::Layer {
     bool handle(const app::InputEvent& event) override;
     void draw(app::Surface& surface, double seconds) override;
     app::ClipRectangle free_area(const app::ClipRectangle& whole) const override;
+    float text_size() const override;
 
     /// To be called when the modules have made a step and its changes are delivered: breaks and
     /// plots look at each step.

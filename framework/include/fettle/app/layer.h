@@ -32,6 +32,8 @@ class Layer {
     /// The part of `whole` that this layer leaves free, in pixels: other layers draw texts there,
     /// such as the legend of the game's overlays or an error.
     virtual ClipRectangle free_area(const ClipRectangle& whole) const { return whole; }
+    /// Height of its texts, which a person may have chosen for a screen of many pixels; 0: unknown.
+    virtual float text_size() const { return 0; }
 };
 
 }  // namespace fettle::app

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -95,9 +96,16 @@ class Timeline {
     // as a branch. The past of the running game is the present branch; `Clock::branch` is its name.
     // At most `Clock::branch_limit` others are kept, and their steps are dropped at the same age as
     // those of the past. If there are too many branches or too little memory, whole branches are
-    // dropped before the past gets shorter: first those that no person has named, the oldest first.
+    // dropped before the past gets shorter, the oldest first: those that a script left by going
+    // back, then those of persons, at last those that a person has named. No other branch gets the
+    // number of a dropped one as its name.
     /// The branches besides the present one, the oldest first.
     std::vector<Branch> branches() const;
+    /// `told`: is called with a line for people when a branch is dropped because of a limit. Of the
+    /// branches that scripts left, only the first one is told.
+    void on_dropped_branch(std::function<void(const std::string& line)> told) {
+        told_dropped_ = std::move(told);
+    }
     /// Whether there is such a branch besides the present one.
     bool has_branch(const std::string& branch) const;
     /// Throws Error(unknown_name) if there is none.
@@ -170,8 +178,9 @@ class Timeline {
     /// it has in common with the present one.
     struct Other {
         std::string name;
-        bool named = false;     // by a person
-        std::int64_t fork = 0;  // the last step that it has in common with the present branch
+        bool named = false;      // by a person
+        bool by_script = false;  // a script has left it by going back
+        std::int64_t fork = 0;   // the last step that it has in common with the present branch
         std::deque<Keyframe> keyframes;
         Steps steps;
         Step tail;              // as `tail_`
@@ -186,8 +195,9 @@ class Timeline {
     };
     /// Where the tree is, and whether a step is being made.
     struct Place {
-        std::int64_t here = 0;  // the step that the tree is at
-        bool returned = false;  // for `consume_went_back`
+        std::int64_t here = 0;   // the step that the tree is at
+        bool returned = false;   // for `consume_went_back`
+        bool by_script = false;  // a script has made the last jump
         bool in_step = false;
         bool stepping = false;  // in a step: changes are logged
     };
@@ -232,9 +242,9 @@ class Timeline {
     // --- branches.cpp
     void keep_branch();
     void trim_branches();
-    void drop_branch();
+    void drop_branch(const std::string& limit);
     void count_bytes(Other& branch) const;
-    std::string new_branch_name() const;
+    std::string new_branch_name();
     std::vector<Other>::iterator other_branch(const std::string& name);
     void exchange_with(Other& other);
     const Keyframe& start_of(std::int64_t from) const;
@@ -258,8 +268,12 @@ class Timeline {
     std::unique_ptr<Packer> packer_;
     std::deque<Keyframe> keyframes_;
     Steps steps_;
-    std::vector<Other> others_;  // in the order in which they were left
-    bool named_ = false;         // the present branch, by a person
+    std::vector<Other> others_;                   // in the order in which they were left
+    bool named_ = false;                          // the present branch, by a person
+    std::size_t last_name_ = 1;                   // the number of the last branch
+    std::map<std::string, std::string> dropped_;  // some dropped branches, and why
+    bool script_drop_told_ = false;
+    std::function<void(const std::string& line)> told_dropped_;
     Step tail_;  // after the newest step, while the tree is at an earlier one; `before` only
     Step open_;
     Step edits_;  // at an earlier step than the newest, before the next step; `before` only

@@ -26,6 +26,10 @@ class Keeping {
 
     void keep(const Rows& rows) {
         for (JournalRow* row : in_stages(rows)) {
+            if (is_of_one_of_several(*row)) {
+                row->file.clear();
+                row->inside.clear();
+            }
             const auto file = run_.state.own_file(row->file);
             // The top of a scene is deleted or restored: a script loads the scene, so no scene file
             // can contain this.
@@ -55,6 +59,19 @@ class Keeping {
     }
 
   private:
+    /// Whether the row deletes or makes an instance below one of several that come from its scene
+    /// file: in the file, this would be done to all of them.
+    bool is_of_one_of_several(const JournalRow& row) const {
+        const bool below = row.kind == Kind::deleted ? !row.inside.empty() : !row.file.empty();
+        if ((row.kind != Kind::deleted && row.kind != Kind::created) || !below) return false;
+        const std::string top = run_.row_paths.home_of_top(row);
+        const Tree& tree = run_.state.tree;
+        return std::ranges::any_of(run_.state.origins.tops(tree, row.file), [&](Handle other) {
+            return run_.state.attached(other) &&
+                   run_.row_paths.home_of_live(tree.path(other)) != top;
+        });
+    }
+
     /// False, with a report, if two instances of one scene have different values: the file has one.
     bool is_consistent(const JournalRow& row, const fs::path& file) {
         if (row.kind != Kind::value) return true;

@@ -115,6 +115,14 @@ std::set<std::filesystem::path> SceneOrigins::files() const {
     return all;
 }
 
+std::vector<Handle> SceneOrigins::tops(const Tree& tree, const std::filesystem::path& file) const {
+    std::vector<Handle> all;
+    for (const auto& [number, scene] : scenes_)
+        if (scene.file == file && tree.alive(scene.instances.front().instance))
+            all.push_back(scene.instances.front().instance);
+    return all;
+}
+
 bool SceneOrigins::named_by_script(Handle top) const {
     const auto found = places_.find(top.key());
     return found != places_.end() && scenes_.at(found->second.scene).named_by_script;

@@ -52,6 +52,8 @@ class SceneOrigins {
     /// Forgets the instance and everything below it, because no file describes them any more.
     void forget(const Tree& tree, Handle top);
     std::set<std::filesystem::path> files() const;
+    /// The topmost instances that exist and come from that file.
+    std::vector<Handle> tops(const Tree& tree, const std::filesystem::path& file) const;
     /// Whether a script named the topmost instance of the scene.
     bool named_by_script(Handle top) const;
     /// nullopt for an instance that no file describes.

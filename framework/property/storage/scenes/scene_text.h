@@ -27,6 +27,8 @@ class SceneValues {
     void remove(Handle instance, const std::string& property);
     /// Forgets the instance and those that are below it in the tree.
     void forget(const Tree& tree, Handle instance);
+    /// The instances of both get the values that they have in `other`.
+    void take_from(const SceneValues& other);
     void clear();
     std::size_t bytes() const;  // that it takes, estimated
     /// Whether any of the values may have references.

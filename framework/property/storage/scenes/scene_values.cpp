@@ -39,6 +39,18 @@ void SceneValues::forget(const Tree& tree, Handle instance) {
     tree.each_below(instance, one);
 }
 
+void SceneValues::take_from(const SceneValues& other) {
+    for (auto& [instance, values] : values_) {
+        const auto known = other.values_.find(instance);
+        if (known == other.values_.end()) continue;
+        values = known->second;
+        const std::pair<std::uint64_t, std::string> begin = {instance, {}},
+                                                    end = {instance + 1, {}};
+        naming_.erase(naming_.lower_bound(begin), naming_.lower_bound(end));
+        naming_.insert(other.naming_.lower_bound(begin), other.naming_.lower_bound(end));
+    }
+}
+
 void SceneValues::clear() {
     values_.clear();
     naming_.clear();

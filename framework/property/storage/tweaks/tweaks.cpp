@@ -174,7 +174,10 @@ bool Tweaks::State::is_given_by_script(Handle instance, const Property& property
     const bool moves = property.simulated && property.derives_from.empty();
     if (step == 0 || moves || tree.find(instance, property.symbol) == nullptr) return false;
     const Provenance written = last_writer_until(tree, instance, property, step - 1);
-    return written.known && written.cause.writer == Writer::script && written.cause.step == 0;
+    if (!written.known || written.cause.writer != Writer::script) return false;
+    if (written.cause.step == 0) return true;
+    const auto later = given_later.find(path_below(tree.path(instance), property.name));
+    return later != given_later.end() && later->second == written.cause.step;
 }
 
 void Tweaks::State::edited(Handle instance, const Property& property, const CellState& before) {

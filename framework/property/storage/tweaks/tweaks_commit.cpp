@@ -84,6 +84,8 @@ void Tweaks::State::make_fresh_entry(Handle instance) {
         return warn(path + " is new, but cannot be journaled: " + error.what());
     }
     for (const std::string& warning : warnings) warn(warning);
+    // Made again by redo: the game has changed its values meanwhile, a person has not.
+    if (known != created.end()) fresh_one.values.take_from(known->second->values);
     Entry& its = known != created.end() ? *known->second : add_entry(Kind::created, path, instance);
     for (JournalRow& row : earlier.rows)  // it takes the place of one that was left behind
         if (row.run == JournalRow::left_behind && row.kind == Kind::created && row.instance == path)

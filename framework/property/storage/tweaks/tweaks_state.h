@@ -167,6 +167,13 @@ struct Tweaks::State : EditObserver {
     void note_origin(Entry& entry, Handle instance) const;
     bool is_given_by_script(Handle instance, const Property& property) const;
 
+    // reloaded.cpp: the script of the game is loaded again
+    Entry* value_of(Handle instance, const Property& property) const;
+    std::string given_again(Handle instance, const Property& property);
+    void start_from(Entry& its, const Image& given);
+    std::size_t made_no_more(const std::string& path);
+    std::size_t replaced(Handle instance, const std::function<bool(Handle, const Property&)>& same);
+
     // tweaks_commit.cpp: rows
     void barrier();
     void make_fresh_entries(Handle moving = {});
@@ -235,6 +242,8 @@ struct Tweaks::State : EditObserver {
     std::shared_ptr<const Moment> last_moment;  // null: entries have changed since
     std::shared_ptr<const Moment> pending;      // the game has gone there
     std::vector<std::function<void(Entry&)>> renames;
+    /// Steps at which a script that was loaded again gave a value, by path.
+    std::unordered_map<std::string, std::uint64_t> given_later;
     std::string last_failure;   // reported once
     int barriers_to_retry = 0;  // barriers before a failed commit is tried again
 };

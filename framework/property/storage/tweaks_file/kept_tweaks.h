@@ -76,6 +76,8 @@ class KeptTweaks {
     /// `taken_out`: the result of `remove`; "" if unknown. `scene`: the current scene of the
     /// instance, because its references may have changed meanwhile.
     void put_back(const std::string& path, const std::string& taken_out, const std::string& scene);
+    /// "main.tweaks.json:4" if the file has a value for the property; otherwise "".
+    std::string place_of(const std::string& instance, const std::string& property) const;
     bool makes(const std::string& path) const;
     bool deletes(const std::string& path) const;
     /// Whether and how instances that the file makes get other paths. `require_movable` throws

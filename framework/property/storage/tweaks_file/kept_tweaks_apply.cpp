@@ -37,6 +37,17 @@ const KeptTweaks::Node* KeptTweaks::member(std::string_view section, const std::
     return object == nullptr ? nullptr : document_->member(*object, key);
 }
 
+std::string KeptTweaks::place_of(const std::string& instance, const std::string& property) const {
+    const auto found = contents_.values.find(instance);
+    if (found == contents_.values.end() || document_ == nullptr) return {};
+    for (const Kept& each : found->second)
+        if (each.property == property)
+            if (const Node* const node = member("values", each.key))
+                return file_.filename().string() + ":" +
+                       std::to_string(document_->line(node->begin));
+    return {};
+}
+
 /// Notes what a script has written since the last kept value was assigned, for those with a value
 /// that scripts gave before.
 void KeptTweaks::note_given_now(const Assignment& to) {

@@ -113,6 +113,31 @@ class Tweaks {
     /// set.
     void game_loaded();
 
+    // While the script of the game is loaded again. The instances are part of the game.
+
+    /// The place in the file of kept tweaks that sets the property, whatever the script gives:
+    /// "main.tweaks.json:4"; "" if it does not.
+    std::string set_by_file(Handle instance, const Property& property) const;
+    /// Whether this run has kept that value in the scene file of the instance, or has written the
+    /// instance into it: the file gives what is there already.
+    bool has_kept(Handle instance, const Property& property, const Value& value) const;
+    bool has_kept(Handle instance) const;
+    /// Whether an edit of the property is listed and holds now.
+    bool has_edit(Handle instance, const Property& property) const;
+    /// Must be called when the script has given the property another value than before: it takes
+    /// the place of an edit, and later edits start from it. Returns the edit that it replaces,
+    /// "2 → 7 kg"; "" if there was none.
+    std::string given_again(Handle instance, const Property& property);
+    /// Must be called when the default of a property with an edit has changed.
+    void default_changed(Handle instance, const Property& property);
+    /// Must be called before an instance is deleted that the script does not make any more, or if
+    /// it was deleted before: drops its edits, and those of all below it. Returns their number.
+    std::size_t made_no_more(const std::string& path);
+    /// Must be called when the script has replaced an instance by one of another class. Makes the
+    /// edits of the former one and of those below it again for which `same` is true: the script
+    /// gives the property what it gave before. Drops the others, and returns their number.
+    std::size_t replaced(Handle instance, const std::function<bool(Handle, const Property&)>& same);
+
     /// Whether they are the tweaks of that tree, and it lives.
     bool are_of(const Tree& tree) const;
     /// Path of the journal; empty before the first commit.
