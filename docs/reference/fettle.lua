@@ -2532,7 +2532,7 @@ Theme = {}
 ---@field visible boolean Whether it is drawn and takes up room, with everything below it. · true or false · default true
 local fettle_Widget = {}
 
----Gives it the keyboard.
+---Gives it the keyboard. The text of a text field is selected then.
 function fettle_Widget:focus() end
 
 ---What panels, buttons and all other parts of menus have in common. They are on the screen, over everything else, in pixels of the layout, which interface.scale makes larger on large screens.
@@ -3317,7 +3317,7 @@ function scene.save(file, instance) end
 ---@param name string
 function share(name) end
 
----The whole tree as it is at the next barrier between steps, for restore.
+---The whole tree as it is at the next barrier between steps, when the running function has ended, for restore: with what this function changes afterwards, too.
 ---@return Snapshot
 function snapshot() end
 
