@@ -2883,7 +2883,7 @@ ProgressBar = {}
 ---@field focus Widget? The widget that has the keyboard; nil: none. · any Widget · default nil
 ---@field focus_shown boolean Whether that widget has a ring: after a key or a gamepad's button, not after a click. · true or false · default true
 ---@field held Widget? The widget that the player holds down; nil: none. · any Widget · default nil
----@field scale number Pixels of the screen for one of the layout; 0: such that the screen is 720 high. · 0 to 16 · default 0
+---@field scale number Pixels of the screen for one of the layout; 0: such that the shorter side of the screen is 720 long. · 0 to 16 · default 0
 local fettle_Interface = {}
 
 ---Writes a property as a setting of the player: no rewind and no saved game changes it, and later runs begin with it. A widget that is bound to a property of audio or input.actions does so by itself.

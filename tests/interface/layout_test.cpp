@@ -33,6 +33,17 @@ TEST_CASE("a widget is at its anchor and follows the size of the screen") {
     CHECK(s.size("a").x > 1900);
 }
 
+TEST_CASE("in a window that is higher than wide the width decides how large widgets are") {
+    Placed s("game.a = Panel { anchor = 'center', size = vec(560, 100) }");
+    s.services.view.screen = {400, 700};
+    s.turn();
+    CHECK(s.size("a").x < 320);
+    CHECK(s.at("a").x > 40);
+    s.services.view.screen = {700, 400};
+    s.turn();
+    CHECK(s.size("a").x < 320);
+}
+
 TEST_CASE("columns and rows place their widgets after each other") {
     Placed s(
         R"(game.p = Panel { padding = 20, anchor = "top_left", Column { spacing = 8, size = vec(300, 0),

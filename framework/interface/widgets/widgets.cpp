@@ -126,8 +126,9 @@ void Widgets::define_service(ServiceParts more) {
                   .type = Type::number,
                   .default_value = 0.0,
                   .range = {0, 16},
-                  .doc = "Pixels of the screen for one of the layout; 0: such that the screen is "
-                         "720 high."},
+                  .doc =
+                      "Pixels of the screen for one of the layout; 0: such that the shorter side "
+                      "of the screen is 720 long."},
                  [](Widgets& w, Row) { return Value(w.board.scale); },
                  [](Widgets& w, Row, const Value& v) {
                      w.board.scale = v.as_double();
