@@ -148,7 +148,16 @@ local fettle_SavedGame = {}
 ---@class Pen
 local fettle_Pen = {}
 
----A rectangle, turned by an angle in radians.
+---A line along a part of a circle, from one angle to the other, in radians: counter-clockwise if `to` is larger. pen.pie fills such a part.
+---@param center vec
+---@param radius number
+---@param from number
+---@param to number
+---@param stroke? color|string
+---@param width? number
+function fettle_Pen.arc(center, radius, from, to, stroke, width) end
+
+---A rectangle, turned by an angle in radians, with corners of the radius `rounding`.
 ---@param center vec
 ---@param width number
 ---@param height number
@@ -156,7 +165,8 @@ local fettle_Pen = {}
 ---@param border? color|string|false
 ---@param border_width? number
 ---@param angle? number
-function fettle_Pen.box(center, width, height, fill, border, border_width, angle) end
+---@param rounding? number
+function fettle_Pen.box(center, width, height, fill, border, border_width, angle, rounding) end
 
 ---How the colors of what follows are put on what is there, until pen.pop() or the end of the function.
 ---@param mode "normal"|"add"|"multiply"
@@ -175,6 +185,16 @@ function fettle_Pen.circle(center, radius, fill, border, border_width) end
 ---@param upper vec
 function fettle_Pen.clip(lower, upper) end
 
+---An ellipse, turned by an angle in radians.
+---@param center vec
+---@param width number
+---@param height number
+---@param fill? color|string|false
+---@param border? color|string|false
+---@param border_width? number
+---@param angle? number
+function fettle_Pen.ellipse(center, width, height, fill, border, border_width, angle) end
+
 ---Multiplies the opacity of what follows, until pen.pop() or the end of the function.
 ---@param opacity number
 function fettle_Pen.fade(opacity) end
@@ -189,11 +209,12 @@ function fettle_Pen.fade(opacity) end
 ---@param smooth? boolean
 function fettle_Pen.image(file, center, width, height, angle, tint, smooth) end
 
----A line.
+---A line between two points, or through all points of a list.
 ---@param from vec
 ---@param to vec
 ---@param stroke? color|string
 ---@param width? number
+---@overload fun(points: vec[], stroke?: color|string, width?: number)
 function fettle_Pen.line(from, to, stroke, width) end
 
 ---The fill of the circles, boxes and polygons that follow changes its color along this line, until pen.pop() or the end of the function.
@@ -201,6 +222,16 @@ function fettle_Pen.line(from, to, stroke, width) end
 ---@param to vec
 ---@param colors color[]|string[]
 function fettle_Pen.linear(from, to, colors) end
+
+---A piece of a circle from one angle to the other, in radians: counter-clockwise if `to` is larger.
+---@param center vec
+---@param radius number
+---@param from number
+---@param to number
+---@param fill? color|string|false
+---@param border? color|string|false
+---@param border_width? number
+function fettle_Pen.pie(center, radius, from, to, fill, border, border_width) end
 
 ---A dot as many pixels wide as its size says, 4 without one.
 ---@param position vec

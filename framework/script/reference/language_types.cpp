@@ -223,10 +223,15 @@ TypeDoc pen_type() {
         "is white unless it has a border. A border of nil or false draws none. Lines, points and "
         "texts are white unless they have a color. Borders and lines are measured in pixels, 1.5 "
         "unless a width is given.",
-        {{"box",
+        {{"arc",
+          "arc(center: vec, radius: number, from: number, to: number, stroke?: color|string, "
+          "width?: number)",
+          "A line along a part of a circle, from one angle to the other, in radians: "
+          "counter-clockwise if `to` is larger. pen.pie fills such a part."},
+         {"box",
           "box(center: vec, width: number, height: number, fill?: color|string|false, border?: "
-          "color|string|false, border_width?: number, angle?: number)",
-          "A rectangle, turned by an angle in radians."},
+          "color|string|false, border_width?: number, angle?: number, rounding?: number)",
+          "A rectangle, turned by an angle in radians, with corners of the radius `rounding`."},
          {"blend", "blend(mode: \"normal\"|\"add\"|\"multiply\")",
           "How the colors of what follows are put on what is there, until pen.pop() or the end of "
           "the function."},
@@ -237,6 +242,10 @@ TypeDoc pen_type() {
          {"clip", "clip(lower: vec, upper: vec)",
           "What follows is drawn only inside of this box, until pen.pop() or the end of the "
           "function."},
+         {"ellipse",
+          "ellipse(center: vec, width: number, height: number, fill?: color|string|false, border?: "
+          "color|string|false, border_width?: number, angle?: number)",
+          "An ellipse, turned by an angle in radians."},
          {"fade", "fade(opacity: number)",
           "Multiplies the opacity of what follows, until pen.pop() or the end of the function."},
          {"image",
@@ -247,10 +256,18 @@ TypeDoc pen_type() {
           "pen.screen. With one length it keeps its proportions. A table is a frame of a sheet: "
           "{ \"walk.png\", columns = 4, rows = 2, frame = 3 }, or of an export of Aseprite "
           "{ \"walk.json\", frame = 3 }."},
-         {"line", "line(from: vec, to: vec, stroke?: color|string, width?: number)", "A line."},
+         {"line",
+          "line(from: vec, to: vec, stroke?: color|string, width?: number)\nline(points: vec[], "
+          "stroke?: color|string, width?: number)",
+          "A line between two points, or through all points of a list."},
          {"linear", "linear(from: vec, to: vec, colors: color[]|string[])",
           "The fill of the circles, boxes and polygons that follow changes its color along this "
           "line, until pen.pop() or the end of the function."},
+         {"pie",
+          "pie(center: vec, radius: number, from: number, to: number, fill?: color|string|false, "
+          "border?: color|string|false, border_width?: number)",
+          "A piece of a circle from one angle to the other, in radians: counter-clockwise if `to` "
+          "is larger."},
          {"point", "point(position: vec, fill?: color|string, size?: number)",
           "A dot as many pixels wide as its size says, 4 without one."},
          {"polygon",
