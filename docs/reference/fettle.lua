@@ -2633,10 +2633,11 @@ Row = {}
 ---@field instance Column The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----Widgets below each other.
+---Widgets below each other, or in a grid with several columns.
 ---@class Column : Widget
 ---@field align "start"|"center"|"end"|"stretch" Where its widgets are across its direction; stretch: they are as wide as it is. · "start", "center", "end", "stretch" · default "stretch"
 ---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field columns integer How many widgets are side by side: with 4, the first four widgets are the first row of a grid. All columns are as wide as the widest, unless a widget grows: then each is as wide as its widest widget, and those with widgets that grow share what is left. · 1 to 1000 · default 1
 ---@field justify "start"|"center"|"end" Where its widgets are along its direction if they leave room. · "start", "center", "end" · default "start"
 ---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. If it has a background, a shade covers what is behind it. · true or false · default false
 ---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
@@ -2653,7 +2654,7 @@ local fettle_Column = {}
 ---@overload fun(self: Column, event: "cancelled", handler: fun(record: Column.cancelled)): Connection
 function fettle_Column:on(event, handler) end
 
----Widgets below each other.
+---Widgets below each other, or in a grid with several columns.
 ---@class Class.Column : Class
 ---@overload fun(members?: table): Column
 Column = {}
