@@ -21,10 +21,19 @@ function fettle_vec:angle() end
 ---@return number
 function fettle_vec:cross(other) end
 
+---How far it is from another point.
+---@param to vec
+---@return number
+function fettle_vec:distance(to) end
+
 ---Scalar product.
 ---@param other vec
 ---@return number
 function fettle_vec:dot(other) end
+
+---Both components rounded down: the cell of a grid in which it lies.
+---@return vec
+function fettle_vec:floor() end
 
 ---How long it is.
 ---@return number
@@ -36,9 +45,18 @@ function fettle_vec:length() end
 ---@return vec
 function fettle_vec:lerp(to, share) end
 
+---The same direction, and not longer than that.
+---@param length number
+---@return vec
+function fettle_vec:limited(length) end
+
 ---The same direction with length 1; the zero vector stays what it is.
 ---@return vec
 function fettle_vec:normalized() end
+
+---Both components rounded to the nearest whole number.
+---@return vec
+function fettle_vec:round() end
 
 ---Turned counter-clockwise by an angle in radians.
 ---@param angle number

@@ -7,24 +7,31 @@ namespace fettle::script {
 namespace {
 
 TypeDoc vec_type() {
-    return {"vec",
-            "A vector or point in the plane. One that was read from a property writes back when a "
-            "component is assigned: ball.velocity.x = 3.",
-            {{"x", "number", "To the right."},
-             {"y", "number", "Up."},
-             {"angle", "angle(self: vec): number",
-              "Its direction in radians, counter-clockwise from the x axis."},
-             {"cross", "cross(self: vec, other: vec): number",
-              "Cross product: above 0 when the other lies counter-clockwise."},
-             {"dot", "dot(self: vec, other: vec): number", "Scalar product."},
-             {"length", "length(self: vec): number", "How long it is."},
-             {"lerp", "lerp(self: vec, to: vec, share: number): vec",
-              "The point on the way to the other: 0 is here, 1 is there."},
-             {"normalized", "normalized(self: vec): vec",
-              "The same direction with length 1; the zero vector stays what it is."},
-             {"rotated", "rotated(self: vec, angle: number): vec",
-              "Turned counter-clockwise by an angle in radians."}},
-            {"add(vec): vec", "sub(vec): vec", "mul(number): vec", "div(number): vec", "unm: vec"}};
+    return {
+        "vec",
+        "A vector or point in the plane. One that was read from a property writes back when a "
+        "component is assigned: ball.velocity.x = 3.",
+        {{"x", "number", "To the right."},
+         {"y", "number", "Up."},
+         {"angle", "angle(self: vec): number",
+          "Its direction in radians, counter-clockwise from the x axis."},
+         {"cross", "cross(self: vec, other: vec): number",
+          "Cross product: above 0 when the other lies counter-clockwise."},
+         {"distance", "distance(self: vec, to: vec): number", "How far it is from another point."},
+         {"dot", "dot(self: vec, other: vec): number", "Scalar product."},
+         {"floor", "floor(self: vec): vec",
+          "Both components rounded down: the cell of a grid in which it lies."},
+         {"length", "length(self: vec): number", "How long it is."},
+         {"lerp", "lerp(self: vec, to: vec, share: number): vec",
+          "The point on the way to the other: 0 is here, 1 is there."},
+         {"limited", "limited(self: vec, length: number): vec",
+          "The same direction, and not longer than that."},
+         {"normalized", "normalized(self: vec): vec",
+          "The same direction with length 1; the zero vector stays what it is."},
+         {"round", "round(self: vec): vec", "Both components rounded to the nearest whole number."},
+         {"rotated", "rotated(self: vec, angle: number): vec",
+          "Turned counter-clockwise by an angle in radians."}},
+        {"add(vec): vec", "sub(vec): vec", "mul(number): vec", "div(number): vec", "unm: vec"}};
 }
 
 TypeDoc color_type() {
