@@ -21,10 +21,19 @@ function fettle_vec:angle() end
 ---@return number
 function fettle_vec:cross(other) end
 
+---How far it is from another point.
+---@param to vec
+---@return number
+function fettle_vec:distance(to) end
+
 ---Scalar product.
 ---@param other vec
 ---@return number
 function fettle_vec:dot(other) end
+
+---Both components rounded down: the cell of a grid in which it lies.
+---@return vec
+function fettle_vec:floor() end
 
 ---How long it is.
 ---@return number
@@ -36,9 +45,18 @@ function fettle_vec:length() end
 ---@return vec
 function fettle_vec:lerp(to, share) end
 
+---The same direction, and not longer than that.
+---@param length number
+---@return vec
+function fettle_vec:limited(length) end
+
 ---The same direction with length 1; the zero vector stays what it is.
 ---@return vec
 function fettle_vec:normalized() end
+
+---Both components rounded to the nearest whole number.
+---@return vec
+function fettle_vec:round() end
 
 ---Turned counter-clockwise by an angle in radians.
 ---@param angle number
@@ -148,7 +166,16 @@ local fettle_SavedGame = {}
 ---@class Pen
 local fettle_Pen = {}
 
----A rectangle, turned by an angle in radians.
+---A line along a part of a circle, from one angle to the other, in radians: counter-clockwise if `to` is larger. pen.pie fills such a part.
+---@param center vec
+---@param radius number
+---@param from number
+---@param to number
+---@param stroke? color|string
+---@param width? number
+function fettle_Pen.arc(center, radius, from, to, stroke, width) end
+
+---A rectangle, turned by an angle in radians, with corners of the radius `rounding`.
 ---@param center vec
 ---@param width number
 ---@param height number
@@ -156,7 +183,8 @@ local fettle_Pen = {}
 ---@param border? color|string|false
 ---@param border_width? number
 ---@param angle? number
-function fettle_Pen.box(center, width, height, fill, border, border_width, angle) end
+---@param rounding? number
+function fettle_Pen.box(center, width, height, fill, border, border_width, angle, rounding) end
 
 ---How the colors of what follows are put on what is there, until pen.pop() or the end of the function.
 ---@param mode "normal"|"add"|"multiply"
@@ -175,6 +203,16 @@ function fettle_Pen.circle(center, radius, fill, border, border_width) end
 ---@param upper vec
 function fettle_Pen.clip(lower, upper) end
 
+---An ellipse, turned by an angle in radians.
+---@param center vec
+---@param width number
+---@param height number
+---@param fill? color|string|false
+---@param border? color|string|false
+---@param border_width? number
+---@param angle? number
+function fettle_Pen.ellipse(center, width, height, fill, border, border_width, angle) end
+
 ---Multiplies the opacity of what follows, until pen.pop() or the end of the function.
 ---@param opacity number
 function fettle_Pen.fade(opacity) end
@@ -189,11 +227,12 @@ function fettle_Pen.fade(opacity) end
 ---@param smooth? boolean
 function fettle_Pen.image(file, center, width, height, angle, tint, smooth) end
 
----A line.
+---A line between two points, or through all points of a list.
 ---@param from vec
 ---@param to vec
 ---@param stroke? color|string
 ---@param width? number
+---@overload fun(points: vec[], stroke?: color|string, width?: number)
 function fettle_Pen.line(from, to, stroke, width) end
 
 ---The fill of the circles, boxes and polygons that follow changes its color along this line, until pen.pop() or the end of the function.
@@ -201,6 +240,16 @@ function fettle_Pen.line(from, to, stroke, width) end
 ---@param to vec
 ---@param colors color[]|string[]
 function fettle_Pen.linear(from, to, colors) end
+
+---A piece of a circle from one angle to the other, in radians: counter-clockwise if `to` is larger.
+---@param center vec
+---@param radius number
+---@param from number
+---@param to number
+---@param fill? color|string|false
+---@param border? color|string|false
+---@param border_width? number
+function fettle_Pen.pie(center, radius, from, to, fill, border, border_width) end
 
 ---A dot as many pixels wide as its size says, 4 without one.
 ---@param position vec
@@ -2532,7 +2581,7 @@ Theme = {}
 ---@field visible boolean Whether it is drawn and takes up room, with everything below it. · true or false · default true
 local fettle_Widget = {}
 
----Gives it the keyboard.
+---Gives it the keyboard. The text of a text field is selected then.
 function fettle_Widget:focus() end
 
 ---What panels, buttons and all other parts of menus have in common. They are on the screen, over everything else, in pixels of the layout, which interface.scale makes larger on large screens.
@@ -2602,10 +2651,11 @@ Row = {}
 ---@field instance Column The instance with the event.
 ---@field step integer The fixed step in which it happened.
 
----Widgets below each other.
+---Widgets below each other, or in a grid with several columns.
 ---@class Column : Widget
 ---@field align "start"|"center"|"end"|"stretch" Where its widgets are across its direction; stretch: they are as wide as it is. · "start", "center", "end", "stretch" · default "stretch"
 ---@field color color? Its background. nil: that of the theme; rows and columns have none. · 0 to 1 · default nil · may be nil
+---@field columns integer How many widgets are side by side: with 4, the first four widgets are the first row of a grid. All columns are as wide as the widest, unless a widget grows: then each is as wide as its widest widget, and those with widgets that grow share what is left. · 1 to 1000 · default 1
 ---@field justify "start"|"center"|"end" Where its widgets are along its direction if they leave room. · "start", "center", "end" · default "start"
 ---@field modal boolean While it is visible, it gets all keys, buttons and clicks: nothing reaches the game or other widgets. If it has a background, a shade covers what is behind it. · true or false · default false
 ---@field padding number? Distance between its edge and what is in it. nil: that of the theme for panels, 5 for lists, 0 for rows and columns. · px · 0 to 100000 · default nil · may be nil
@@ -2622,7 +2672,7 @@ local fettle_Column = {}
 ---@overload fun(self: Column, event: "cancelled", handler: fun(record: Column.cancelled)): Connection
 function fettle_Column:on(event, handler) end
 
----Widgets below each other.
+---Widgets below each other, or in a grid with several columns.
 ---@class Class.Column : Class
 ---@overload fun(members?: table): Column
 Column = {}
@@ -2883,7 +2933,7 @@ ProgressBar = {}
 ---@field focus Widget? The widget that has the keyboard; nil: none. · any Widget · default nil
 ---@field focus_shown boolean Whether that widget has a ring: after a key or a gamepad's button, not after a click. · true or false · default true
 ---@field held Widget? The widget that the player holds down; nil: none. · any Widget · default nil
----@field scale number Pixels of the screen for one of the layout; 0: such that the screen is 720 high. · 0 to 16 · default 0
+---@field scale number Pixels of the screen for one of the layout; 0: such that the shorter side of the screen is 720 long. · 0 to 16 · default 0
 local fettle_Interface = {}
 
 ---Writes a property as a setting of the player: no rewind and no saved game changes it, and later runs begin with it. A widget that is bound to a property of audio or input.actions does so by itself.
@@ -3317,7 +3367,7 @@ function scene.save(file, instance) end
 ---@param name string
 function share(name) end
 
----The whole tree as it is at the next barrier between steps, for restore.
+---The whole tree as it is at the next barrier between steps, when the running function has ended, for restore: with what this function changes afterwards, too.
 ---@return Snapshot
 function snapshot() end
 

@@ -5,7 +5,7 @@ local ink, gold, cream, dim, faded = things.ink, things.gold, things.cream, colo
 local full, missing = color("white"), color("#564880")      -- the tints of sparks
 local menus, left = {}, {}                                  -- by name: functions that make them, and what led out of them
 
-local looks = { accent = gold, on_accent = ink, text = cream, focus = cream, control = color("#3a2f5c"), panel = faded(ink, 0.92),
+local looks = { accent = gold, on_accent = ink, text = cream, focus = cream, control = color("#3a2f5c"), panel = faded(ink, 0.97),
     border = faded(gold, 0.6), shade = faded(ink, 0.6), font = "bold", font_size = 28, radius = 6, spacing = 12, padding = 40 }
 for name, value in pairs(looks) do interface.theme[name] = value end
 
@@ -111,11 +111,10 @@ local function card(level)
 end
 
 function menus.levels(game)
-    local all, cards = Column { headline("Levels", 46) }, {}
+    local cards = {}
     for i = 1, game.count do cards[i] = card(i) end
-    for i = 1, game.count, 4 do all:add(Row { table.unpack(cards, i, i + 3) }) end
-    all:add(item("Back", back))
-    return Panel { modal = true, cancelled = back, all }, cards[screens.reached()].button
+    return Panel { modal = true, cancelled = back, Column { headline("Levels", 46),
+        Column { columns = 4, table.unpack(cards) }, item("Back", back) } }, cards[screens.reached()].button
 end
 
 function menus.won(game)

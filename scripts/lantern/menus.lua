@@ -55,13 +55,14 @@ end
 -- What lies over the world and under the widgets: the dark, and a glow behind the chosen item.
 function menu.draw(pen)
     local size, chosen = view.screen, interface.focus
+    local unit = math.min(size.x, size.y) / 720                                 -- a pixel of the widgets
     pen.screen(function()
         pen.image("art/dark.png", size / 2, 1.25 * size.x, 1.45 * size.y, 0, arenas[night.arena].ink)
         if night.running then
-            pen.push() pen.linear(vec(0, 0), vec(0, 0.17 * size.y), { "#05030ce0", "#05030c00" })     -- a shade behind the texts
-            pen.box(vec(size.x / 2, 0.085 * size.y), size.x, 0.17 * size.y, "white") pen.pop() end
+            pen.push() pen.linear(vec(0, 0), vec(0, 122 * unit), { "#05030ce0", "#05030c00" })     -- a shade behind the texts
+            pen.box(vec(size.x / 2, 61 * unit), size.x, 122 * unit, "white") pen.pop() end
         if night.menu == "title" then
-            pen.box(vec(size.x / 2, 0.94 * size.y), size.x, 0.12 * size.y, "#05030cc0")
+            pen.box(vec(size.x / 2, size.y - 43 * unit), size.x, 86 * unit, "#05030cc0")
             pen.image("art/glow.png", vec(size.x / 2, 0.22 * size.y), 0.8 * size.x, 0.5 * size.y, 0, "#ff9a4a55")
         elseif night.menu ~= "" then pen.box(size / 2, size.x, size.y, "#070414b0") end
         if chosen then

@@ -451,9 +451,11 @@ def backdrop(number, above, below, hills, kind):
     clouds = Image(384, 96)
     for _ in range(6 if number != 3 else 0):
         x, y, wide = dice.randrange(90, 294), dice.randrange(14, 80), dice.randrange(14, 34)
+        cloud = Image(384, 96)                         # of its own: its flat base must not cut the others
         for n in range(5):
-            clouds.oval(x + (n - 2) * wide / 2.4, y - (2 - abs(n - 2)) * 3, wide / 2.6, 6 + (2 - abs(n - 2)) * 2.5, (*mix(below, WHITE, 0.55), 210))
-        clouds.box(x - wide * 1.2, y + 5, wide * 2.4, 12, None)
+            cloud.oval(x + (n - 2) * wide / 2.4, y - (2 - abs(n - 2)) * 3, wide / 2.6, 6 + (2 - abs(n - 2)) * 2.5, (*mix(below, WHITE, 0.55), 210))
+        cloud.box(x - wide * 1.2, y + 5, wide * 2.4, 12, None)
+        clouds.paste(cloud, 0, 0)
     if number in (3, 5, 6):
         for _ in range(90):
             clouds.put(dice.randrange(384), dice.randrange(96), (*rgb("#ffe9c0" if number != 3 else "#6ff0dd"), dice.randrange(90, 255)))

@@ -75,7 +75,8 @@ local pure = {}
 for name in ([[assert collectgarbage color deg error formula getmetatable ipairs load next pairs
     pcall print query rawequal rawget rawlen rawset require saves select setmetatable tonumber
     tostring type vec xpcall
-    vec:angle vec:cross vec:dot vec:length vec:lerp vec:normalized vec:rotated color:lerp
+    vec:angle vec:cross vec:distance vec:dot vec:floor vec:length vec:lerp vec:limited
+    vec:normalized vec:rotated vec:round color:lerp
     Set:each Connection:active
     Object:alive Object:all Object:children Object:describe Object:each Object:find Object:formula
     Object:has Object:is_a Object:problem]]):gmatch("%S+") do pure[name] = true end

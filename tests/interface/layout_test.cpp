@@ -33,6 +33,59 @@ TEST_CASE("a widget is at its anchor and follows the size of the screen") {
     CHECK(s.size("a").x > 1900);
 }
 
+TEST_CASE("a column with several columns is a grid") {
+    Placed s(
+        R"(game.g = Column { columns = 2, spacing = 10, Panel { size = vec(100, 30) }, Panel { size = vec(50, 60) },
+        Panel { size = vec(0, 20) } })");
+    CHECK(s.size("g") == Vec2(210, 90));  // all columns are as wide as the widest
+    CHECK(s.at("g.panel") == Vec2(0, 15));
+    CHECK(s.at("g.panel_2") == Vec2(110, 0));
+    CHECK(s.at("g.panel_3") == Vec2(0, 70));
+    CHECK(s.size("g.panel_3") == Vec2(100, 20));
+    s.set("g.size", Value(Vec2(310, 100)));
+    CHECK(s.size("g.panel_3") == Vec2(150, 20));
+    CHECK(s.at("g.panel_2").x == 160);
+    s.set("g.justify", Value("end"));
+    CHECK(s.at("g.panel_3").y == 80);
+    s.set("g.align", Value("end"));
+    CHECK(s.at("g.panel_2").x + s.size("g.panel_2").x == 210);
+    s.set("g.panel.grow", Value(1.0));  // the first column takes what the second one leaves
+    CHECK(s.at("g.panel_2").x == 260);
+    s.set("g.columns", Value(1));
+    CHECK(s.at("g.panel_2").y == s.at("g.panel").y + 30 + 10);
+    s.set("g.columns", Value(1000));
+    CHECK(s.at("g.panel_3").x > s.at("g.panel_2").x);
+    s.run("for _, each in ipairs(g:children()) do each:delete() end");
+    CHECK(s.size("g").x == 310);
+}
+
+TEST_CASE("a grid that is too narrow cuts the texts of buttons and keeps its labels") {
+    Placed s(
+        R"(game.g = Column { columns = 2, size = vec(300, 0), Label { text = "Jump", grow = 1 },
+        Button { text = "space, gamepad a, mouse left, and many other keys" },
+        Label { text = "Name", grow = 1 }, TextField { size = vec(80, 40) } }
+        game.free = Label { text = "Jump" })");
+    CHECK(s.size("g.label").x >= s.size("free").x);
+    CHECK(s.size("g.label").y == s.size("free").y);
+    CHECK(s.at("g.button").x + s.size("g.button").x == 300);
+    CHECK(s.at("g.text_field").x == s.at("g.button").x);
+    s.run(
+        "game.n = Column { columns = 3, size = vec(200, 0) } for i = 1, 3 do n:add(Button { text = "
+        "'a wide text' }) end");
+    CHECK(s.at("n.button_3").x + s.size("n.button_3").x <= 200);
+}
+
+TEST_CASE("in a window that is higher than wide the width decides how large widgets are") {
+    Placed s("game.a = Panel { anchor = 'center', size = vec(560, 100) }");
+    s.services.view.screen = {400, 700};
+    s.turn();
+    CHECK(s.size("a").x < 320);
+    CHECK(s.at("a").x > 40);
+    s.services.view.screen = {700, 400};
+    s.turn();
+    CHECK(s.size("a").x < 320);
+}
+
 TEST_CASE("columns and rows place their widgets after each other") {
     Placed s(
         R"(game.p = Panel { padding = 20, anchor = "top_left", Column { spacing = 8, size = vec(300, 0),

@@ -258,6 +258,49 @@ TEST_CASE_METHOD(Field, "the selection is drawn while the field has the keyboard
     CHECK(draw().polygons.size() == elsewhere);
 }
 
+TEST_CASE("a field that gets the keyboard without the mouse has its text selected") {
+    Screen s(
+        R"(game.c = Column { f = TextField { text = "AAA", size = vec(300, 40) }, Button { name = "other", text = "other" } }
+        function carets() print(c.f.caret, c.f.mark) end)");
+    s.run("c.other:focus()");
+    s.tap("tab");
+    s.run("carets()");
+    CHECK(s.new_output() == "3\t0");
+    s.type(U"Bob");
+    CHECK(s.get("c.f.text").text() == "Bob");
+    s.run("c.f:focus() carets()");  // it has the keyboard already
+    CHECK(s.new_output() == "3\tnil");
+    s.run("c.other:focus() c.f:focus() carets()");
+    CHECK(s.new_output() == "3\t0");
+    s.type(U"Ann");
+    CHECK(s.get("c.f.text").text() == "Ann");
+    s.run("c.f.text = '' c.other:focus() c.f:focus() carets()");
+    CHECK(s.new_output() == "0\tnil");
+    s.run("c.f.text = 'AAA' c.other:focus()");
+    s.turn();
+    s.click("c.f");  // a click only puts the caret
+    s.run("carets()");
+    CHECK(s.new_output() == "3\tnil");
+}
+
+TEST_CASE("the first field of a menu has its text selected") {
+    Screen s("game.menu = Panel { modal = true, TextField { text = 'AAA' } }");
+    s.type(U"Bob");
+    CHECK(s.get("menu.text_field.text").text() == "Bob");
+}
+
+TEST_CASE("a widget without a text is told to have a label beside it") {
+    Screen s;
+    CHECK_FALSE(s.runtime.run("Slider { text = 'Volume' }", "test"));
+    REQUIRE(s.errors.size() == 1);
+    CHECK_THAT(s.errors[0],
+               Catch::Matchers::Contains("Slider has no property \"text\"; a Label beside it "
+                                         "shows a text: Row { Label { text = ..., grow = 1 }, "
+                                         "Slider { ... } }"));
+    CHECK_FALSE(s.runtime.run("Slider { caption = 'Volume' }", "test"));
+    CHECK_THAT(s.errors[1], Catch::Matchers::Contains("a Label beside it shows a text"));
+}
+
 TEST_CASE_METHOD(Field, "the game does not get the keys of the clipboard") {
     runtime.run("function key_pressed(key) print(key) end", "test");
     new_output();

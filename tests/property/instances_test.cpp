@@ -34,6 +34,16 @@ TEST_CASE_METHOD(Fixture, "children keep their order and equal names get numbers
     CHECK(child_names(world) == Names{"ball_1", "odd name", "ball_3"});
 }
 
+TEST_CASE_METHOD(Fixture, "the name of an instance without one has the words of its class") {
+    for (const auto& [of, name] : {std::pair{"TextField", "text_field_1"},
+                                   {"HUD", "hud_1"},
+                                   {"HUDBar", "hud_bar_1"},
+                                   {"Level2Boss", "level2_boss_1"},
+                                   {"Ice_Crate", "ice_crate_1"},
+                                   {"crate", "crate_1"}})
+        CHECK(tree.name(tree.create(tree.define({.name = of}), world)) == name);
+}
+
 TEST_CASE_METHOD(Fixture, "a number is not used again after the deletion of the first child") {
     const auto next = [&](Handle parent) {
         const Handle made = tree.create(*module.type, parent);

@@ -97,6 +97,67 @@ TEST_CASE("a function that draws and adds or deletes something is noted") {
     CHECK_THAT(game.notes[1], contains("main.lua:4: a function that draws changes world.made"));
 }
 
+TEST_CASE("a function that draws and changes a variable of the game is noted") {
+    Game game;
+    REQUIRE(game.load("state('pictures', 0)\nfunction draw(pen) pictures = pictures + 1 end"));
+    NoPainter painter;
+    CHECK(game.runtime->draw(painter));
+    REQUIRE(game.notes.size() == 1);
+    CHECK_THAT(game.notes[0],
+               stage::starts_with("main.lua:2: a function that draws changes game.pictures: "));
+}
+
+TEST_CASE("a change after snapshot in the same function is noted once") {
+    Game game;
+    REQUIRE(
+        game.load("state('moves', 0)\n"
+                  "world.a = Body {}\n"
+                  "local before\n"
+                  "function take() before = snapshot() end\n"
+                  "function play() before = snapshot() moves = moves + 1 end\n"
+                  "function push() before = snapshot()\nworld.a.mass = 2 end\n"
+                  "function show() before = snapshot() view.height = 2 Body {}.mass = 2 end\n"
+                  "function turn() game:run(function() snapshot() wait(0) moves = 3 end) end\n"
+                  "game.view = Object { height = 20 }\n"));
+    for (const char* const call : {"moves = 1 take()", "moves = 2", "show()", "turn()"}) {
+        game.run(call);
+        game.step(2);
+        CAPTURE(call);
+        CHECK(game.notes.empty());
+    }
+    CHECK(game.prints("print(moves)") == "3");
+    game.run("push()");
+    REQUIRE(game.notes.size() == 1);
+    CHECK_THAT(game.notes[0],
+               stage::starts_with("main.lua:7: world.a.mass changes after snapshot(), "
+                                  "which holds the game as it is when this "));
+    game.run("play()");
+    CHECK(game.notes.size() == 1);
+}
+
+TEST_CASE("a change after snapshot is noted for a variable of the game, too") {
+    Game game;
+    REQUIRE(game.load("state('moves', 0)\nfunction play() snapshot() moves = moves + 1 end"));
+    game.run("play()");
+    REQUIRE(game.notes.size() == 1);
+    CHECK_THAT(game.notes[0],
+               stage::starts_with("main.lua:2: game.moves changes after snapshot()"));
+}
+
+TEST_CASE("instances that a reload drops with the old code are not noted") {
+    Game game;
+    REQUIRE(game.load(
+        "local kept = Body { mass = 2 } function use() return kept end world.a = Body {}"));
+    REQUIRE(
+        game.change(
+                "local kept = Body { mass = 3 } function use() return kept end world.a = Body {}")
+            .done);
+    CHECK(game.notes.empty());
+    REQUIRE(game.change("local kept = Body { mass = 3 } world.a = Body {} Body {}").done);
+    REQUIRE(game.notes.size() == 1);
+    CHECK_THAT(game.notes[0], contains("made, and added to nothing"));
+}
+
 TEST_CASE("a class that two files of a game define is noted with both places") {
     Game game;
     game.write("other.lua", "\nFoe = class('Foe', Body) { lives = 3 }");

@@ -324,9 +324,17 @@ assert((vec(1, 0):rotated(deg(90)) - vec(0, 1)):length() < 1e-15)
 assert(vec(0, 0):lerp(vec(2, 4), 0.5) == vec(1, 2))
 assert(color("#ff8800").r == 1 and color(1, 0, 0) == color("red") and color(0, 0, 0, 0.5).a == 0.5)
 assert(vec(1, 2) ~= vec(1, 3) and vec(1, 2) ~= 3)
+assert(vec(1, 2):distance(vec(4, 6)) == 5 and vec(-1.5, 2.5):floor() == vec(-2, 2))
+assert(vec(-1.6, 2.5):round() == vec(-2, 3) and vec(0.4, -0.4):round() == vec(0, 0))
+assert(vec(6, 8):limited(5) == vec(3, 4) and vec(3, 4):limited(7) == vec(3, 4))
+assert(vec(0, 0):limited(0) == vec(0, 0) and vec(3, 4):limited(0) == vec(0, 0))
 )lua");
     CHECK_THAT(s.fails("return vec(1, 2) + 1"), contains("cannot use an integer"));
     CHECK_THAT(s.fails("return vec(1, 2) * vec(1, 2)"), contains("a:dot(b)"));
+    CHECK_THAT(s.fails("return vec(1, 2):limited(-1)"), contains("-1 is not a length"));
+    CHECK_THAT(s.fails("return vec(1, 2):distance_to(vec(0, 0))"),
+               contains("did you mean \"distance\"?"));
+    CHECK_THAT(s.fails("return vec(1, 2):clamped(3)"), contains("did you mean \"limited\"?"));
     CHECK_THAT(s.fails("return color('tomatoe')"), contains("tomato"));
     CHECK(s.prints("print(vec(1, 0.1), color('red'))").find("vec(1, 0.1)") == 0);
 }

@@ -67,6 +67,7 @@ void Player::focus(Widget* widget, bool shown) {
     if (Widget* const field = widgets_.find(before); field && !field->content.bind.empty())
         binding_.update(*field);
     if (widget == nullptr) return;
+    if (widget->kind == Kind::text_field) widgets_.select_text(*widget);
     for (Widget* each = above(*widget); each != nullptr; each = above(*each)) {
         if (each->modal && !(each->last_focus == now))
             widgets_.set(each->self, "last_focus", Value(now));

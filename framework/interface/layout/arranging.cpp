@@ -18,11 +18,6 @@ constexpr std::array<const char*, 9> anchors{"top_left",    "top",    "top_right
                                              "left",        "center", "right",
                                              "bottom_left", "bottom", "bottom_right"};
 
-/// The share of the free length that lies before the widget.
-double share_before(const std::string& where) {
-    return where == "center" ? 0.5 : where == "end" ? 1 : 0;
-}
-
 }  // namespace
 
 void Layout::arrange(Row row, Box box, const Box& clip) {
@@ -41,7 +36,10 @@ void Layout::arrange(Row row, Box box, const Box& clip) {
             arrange_line(widget, inner, clip, 0);
             break;
         case Kind::column:
-            arrange_line(widget, inner, clip, 1);
+            if (is_grid(widget))
+                arrange_grid(widget, inner, clip);
+            else
+                arrange_line(widget, inner, clip, 1);
             break;
         case Kind::list:
             arrange_list(widget);

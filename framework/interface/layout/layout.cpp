@@ -29,8 +29,9 @@ double z_of(const property::Tree& tree, Handle instance) {
 }  // namespace
 
 void Layout::update(const Vec2& screen) {
+    const double shorter = std::min(screen.x, screen.y);
     const double scale =
-        widgets_.board.scale > 0 ? widgets_.board.scale : std::clamp(screen.y / 720, 0.5, 8.0);
+        widgets_.board.scale > 0 ? widgets_.board.scale : std::clamp(shorter / 720, 0.5, 8.0);
     if (screen != screen_ || scale != scale_) widgets_.stale = true;
     if (!widgets_.stale) return sort_tops();
     widgets_.stale = false;

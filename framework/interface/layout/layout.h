@@ -62,6 +62,9 @@ class Layout {
     property::Vec2 measure(property::Row row, double width);
     property::Vec2 natural(Widget& widget, double width);
     property::Vec2 natural_line(Widget& widget, double width, int along);
+    property::Vec2 natural_grid(Widget& widget, double width);
+    property::Vec2 measure_cell(property::Row child, double width);
+    std::vector<double> rows_of(const Widget& grid) const;
     property::Vec2 natural_panel(Widget& widget, double width);
     double longest_word(const Widget& widget) const;
     double widest_text(Widget& row, double width, double needed);
@@ -72,6 +75,7 @@ class Layout {
     void arrange(property::Row row, Box box, const Box& clip);
     void arrange_panel(Widget& widget, const Box& inner, const Box& clip);
     void arrange_line(Widget& widget, const Box& inner, const Box& clip, int along);
+    void arrange_grid(Widget& widget, const Box& inner, const Box& clip);
     void arrange_list(Widget& widget);
     void write(Widget& widget);
     Box snapped(const Box& box) const;

@@ -25,17 +25,6 @@ Vec2 Layout::measure(Row row, double width) {
     return widget.arranged.wanted;
 }
 
-namespace {
-
-/// Whether it may be narrower than its text in a row that is too narrow.
-bool may_shrink(const Widget& widget) {
-    const bool text =
-        widget.kind == Kind::button || widget.kind == Kind::toggle || widget.kind == Kind::label;
-    return text && !(widget.placing.size.x > 0);
-}
-
-}  // namespace
-
 Vec2 Layout::natural(Widget& widget, double width) {
     const Lettering lettering = Lettering::of(widget);
     const double control = std::round(lettering.line_height() + 2 * measure::button_y);
@@ -45,7 +34,7 @@ Vec2 Layout::natural(Widget& widget, double width) {
         case Kind::row:
             return natural_line(widget, width, 0);
         case Kind::column:
-            return natural_line(widget, width, 1);
+            return is_grid(widget) ? natural_grid(widget, width) : natural_line(widget, width, 1);
         case Kind::list:
             return natural_list(widget, width);
         case Kind::button:

@@ -86,11 +86,23 @@ std::vector<property::ClassDescriptor> container_classes(Widgets& widgets) {
                    .events = {cancelled()}});
     for (Property& each : all.back().properties)
         if (each.name == "align") each.default_value = Value("center");
-    all.push_back({.name = "Column",
-                   .base = "Widget",
-                   .doc = "Widgets below each other.",
-                   .properties = joined(container_properties(widgets), line_up_properties(widgets)),
-                   .events = {cancelled()}});
+    all.push_back(
+        {.name = "Column",
+         .base = "Widget",
+         .doc = "Widgets below each other, or in a grid with several columns.",
+         .properties = joined(
+             container_properties(widgets),
+             joined(line_up_properties(widgets),
+                    Properties{field<&Widget::placing, &Placing::columns>(
+                        widgets,
+                        {.name = "columns",
+                         .range = {1, 1000},
+                         .doc = "How many widgets are side by side: with 4, the first four widgets "
+                                "are the first row of a grid. All columns are as wide as the "
+                                "widest, unless a widget grows: then each is as wide as its "
+                                "widest widget, and those with widgets that grow share what is "
+                                "left."})})),
+         .events = {cancelled()}});
     all.push_back(list_descriptor(widgets));
     return all;
 }

@@ -51,6 +51,7 @@ struct Placing {
     double grow = 0;
     std::optional<double> padding, spacing;            // of a container
     std::string align = "stretch", justify = "start";  // of what is in a row or a column
+    std::int64_t columns = 1;                          // of a column: more than one is a grid
 };
 
 /// How a widget looks.
@@ -86,6 +87,7 @@ struct Arranged {
     Box box{}, clip{};
     std::vector<std::string> lines{};  // of its text
     double content_height = 0;         // of a list
+    std::vector<double> columns{};     // widths, of a grid
     bool shown = false;                // visible, with all above it
 };
 
@@ -121,6 +123,11 @@ inline bool is_container(Kind kind) {
 inline bool is_active(Kind kind) {
     return kind == Kind::button || kind == Kind::slider || kind == Kind::toggle ||
            kind == Kind::text_field || kind == Kind::list;
+}
+
+/// Whether its widgets are in several columns.
+inline bool is_grid(const Widget& widget) {
+    return widget.kind == Kind::column && widget.placing.columns > 1;
 }
 
 /// Whether it covers what lies below it with a color of its own, as a container.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fettle/property/error.h>
+#include <fettle/property/utf8.h>
 
 #include <themes/fields.h>
 #include <widgets/classes.h>
@@ -49,12 +50,16 @@ void set_defaults(Widget& w) {
 
 property::Method focus_method(Widgets& widgets) {
     return {.name = "focus",
-            .doc = "Gives it the keyboard.",
+            .doc = "Gives it the keyboard. The text of a text field is selected then.",
             .context = &widgets,
             .call = [](void* context, property::Tree& tree, Handle self, Row,
                        std::span<const Value>) -> property::Result {
                 auto& w = *static_cast<Widgets*>(context);
-                if (tree.alive(w.service())) tree.set(w.service(), "focus", Value(self));
+                if (!tree.alive(w.service())) return Value();
+                if (const Widget* const widget = w.find(self);
+                    widget != nullptr && widget->kind == Kind::text_field && w.board.focus != self)
+                    w.select_text(*widget);
+                tree.set(w.service(), "focus", Value(self));
                 return Value();
             },
             .effect = property::Effect::tree};
@@ -121,8 +126,9 @@ void Widgets::define_service(ServiceParts more) {
                   .type = Type::number,
                   .default_value = 0.0,
                   .range = {0, 16},
-                  .doc = "Pixels of the screen for one of the layout; 0: such that the screen is "
-                         "720 high."},
+                  .doc =
+                      "Pixels of the screen for one of the layout; 0: such that the shorter side "
+                      "of the screen is 720 long."},
                  [](Widgets& w, Row) { return Value(w.board.scale); },
                  [](Widgets& w, Row, const Value& v) {
                      w.board.scale = v.as_double();
@@ -174,6 +180,13 @@ Widget* Widgets::find(Handle instance) {
 
 void Widgets::set(Handle widget, const char* name, const Value& value) {
     if (tree_->alive(widget)) tree_->set(widget, name, value);
+}
+
+void Widgets::select_text(const Widget& field) {
+    const auto length = static_cast<std::int64_t>(property::code_point_count(field.content.text));
+    const Handle self = field.self;
+    set(self, "caret", Value(length));
+    set(self, "mark", length > 0 ? Value(std::int64_t{0}) : Value());
 }
 
 void Widgets::emit(const Widget& widget, const char* event, std::vector<Value> values) {

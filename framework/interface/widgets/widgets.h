@@ -52,6 +52,8 @@ class Widgets {
     void changed(property::Row) { stale = true; }
     /// Writes a property of a widget that the player uses; no effect if the widget was deleted.
     void set(property::Handle widget, const char* name, const property::Value& value);
+    /// Selects the whole text of a text field, so that what the player types takes its place.
+    void select_text(const Widget& field);
     void emit(const Widget& widget, const char* event, std::vector<property::Value> values = {});
 
     property::Handle service() const { return service_; }

@@ -21,9 +21,18 @@ namespace {
 constexpr std::size_t max_classes = 10'000;
 static_assert(max_classes <= UINT16_MAX);
 
-std::string lower_case(std::string text) {
-    for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-    return text;
+/// `text_field` for `TextField`, `hud_bar` for `HUDBar`.
+std::string stem_of(std::string_view name) {
+    const auto capital = [&](std::size_t i) { return name[i] >= 'A' && name[i] <= 'Z'; };
+    const auto small = [&](std::size_t i) { return name[i] >= 'a' && name[i] <= 'z'; };
+    std::string stem;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool begins_word = i > 0 && capital(i) && name[i - 1] != '_' &&
+                                 (!capital(i - 1) || (i + 1 < name.size() && small(i + 1)));
+        if (begins_word) stem += '_';
+        stem += static_cast<char>(capital(i) ? name[i] + ('a' - 'A') : name[i]);
+    }
+    return stem;
 }
 
 // The default of a property whose descriptor gives none.
@@ -140,7 +149,7 @@ Class& ClassRegistry::define(ClassDescriptor descriptor) {
         made->snapshots_ = base->snapshots_;
     made->id_ = size();
     made->descriptor_ = std::move(descriptor);
-    if (made->descriptor_.stem.empty()) made->descriptor_.stem = lower_case(made->descriptor_.name);
+    if (made->descriptor_.stem.empty()) made->descriptor_.stem = stem_of(made->descriptor_.name);
     inherit(*made);
     for (Property& property : made->descriptor_.properties)
         add_property(*made, std::move(property));

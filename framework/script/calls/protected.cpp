@@ -112,7 +112,10 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     lua_State* L = machine.lua.main;
     lua_State* outer = machine.lua.running;
     machine.lua.running = L;
-    if (machine.watchdog.outermost()) machine.moved_lists.forget();
+    if (machine.watchdog.outermost()) {
+        machine.moved_lists.forget();
+        machine.recording.after_snapshot = false;
+    }
     machine.errors.caught.reset();
     machine.lua.gone.clear();
     const int top = lua_gettop(L);

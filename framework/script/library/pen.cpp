@@ -1,10 +1,6 @@
 // The global `pen`, with which draw(pen) draws. World units, y up; inside pen.screen(fn) pixels, y
 // down.
-//   pen.circle(center, radius [, fill [, border [, width]]])
-//   pen.box(center, width, height [, fill [, border [, width [, angle]]]])
-//   pen.polygon(vertices [, fill [, border [, width]]])
-//   pen.line(from, to [, color [, width]])
-//   pen.point(position [, color [, size]])
+//   the figures of pen_figures.cpp
 //   pen.text(position, text [, height [, color [, "middle" | "left" | "right" [, font [, wrap]]]]])
 //   pen.screen(function)
 //   pen.push([position [, angle [, scale]]])   pen.pop()
@@ -17,7 +13,9 @@
 // unless it has a border.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +24,7 @@
 #include <fettle/script/runtime.h>
 
 #include <library/pen.h>
+#include <library/pen_arguments.h>
 #include <lua/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
@@ -41,145 +40,6 @@ using property::Paint;
 using property::Painter;
 
 namespace {
-
-struct PenBox {
-    Tag tag;
-    bool on_screen = false;  // inside pen.screen(...)
-};
-
-// Instructions that are charged to an untrusted game for a figure, and for each pair of corners of
-// a polygon that is not convex.
-constexpr std::uint64_t figure_charge = 1000, pair_charge = 1;
-
-Painter& painter(lua_State* L) {
-    machine_of(L).budget.charge_quietly(figure_charge);
-    if (Painter* found = machine_of(L).pen.painter) return *found;
-    throw Error(ErrorKind::rejected, "pen: draws only while draw(pen) is called");
-}
-
-bool& on_screen(lua_State* L) {
-    push_registry(L, machine_of(L).pen.reference);
-    bool& on = box_at<PenBox>(L, -1, Tag::pen)->on_screen;
-    lua_pop(L, 1);  // the registry keeps the box alive
-    return on;
-}
-
-// pen:circle(...) works like pen.circle(...).
-void drop_self(lua_State* L) {
-    if (box_at<PenBox>(L, 1, Tag::pen)) lua_remove(L, 1);
-}
-
-Color color_or(lua_State* L, int index, const char* what, Color otherwise) {
-    if (lua_isnoneornil(L, index)) return otherwise;
-    if (lua_isboolean(L, index) && !lua_toboolean(L, index)) return {0, 0, 0, 0};
-    return check_color(L, index, what);
-}
-
-double number_or(lua_State* L, int index, const char* what, double otherwise) {
-    return lua_isnoneornil(L, index) ? otherwise : check_number(L, index, what);
-}
-
-void check_finite(double value, const char* what) {
-    if (!std::isfinite(value))
-        throw Error(ErrorKind::not_finite,
-                    std::string(what) + ": " + property::number_text(value) + " cannot be drawn");
-}
-
-void check_not_below_0(double value, const char* what, const char* of) {
-    if (value < 0)
-        throw Error(ErrorKind::out_of_range, std::string(what) + ": " +
-                                                 property::number_text(value) + " is not a " + of +
-                                                 ", which is 0 or more");
-}
-
-/// Width in pixels.
-float width_or(lua_State* L, int index, const char* what, double otherwise) {
-    const double value = number_or(L, index, what, otherwise);
-    check_finite(value, what);
-    check_not_below_0(value, what, "width in pixels");
-    return static_cast<float>(std::min(value, 1e4));
-}
-
-Paint paint_at(lua_State* L, int index, const char* what) {
-    Paint paint;
-    const bool border = !lua_isnoneornil(L, index + 1);
-    paint.fill = color_or(L, index, what, border ? Color{0, 0, 0, 0} : Color{1, 1, 1, 1});
-    paint.border = color_or(L, index + 1, what, {0, 0, 0, 0});
-    paint.border_width = width_or(L, index + 2, what, 1.5);
-    return paint;
-}
-
-Vec2 point_at(lua_State* L, int index, const char* what) {
-    Vec2 v = check_vec(L, index, what);
-    check_finite(v.x, what);
-    check_finite(v.y, what);
-    return v;
-}
-
-double length_at(lua_State* L, int index, const char* what, const char* of) {
-    const double value = check_number(L, index, what);
-    check_finite(value, what);
-    check_not_below_0(value, what, of);
-    return value;
-}
-
-int circle(lua_State* L) {
-    drop_self(L);
-    // One by one: of several wrong arguments, the first is reported.
-    const Vec2 center = point_at(L, 1, "pen.circle");
-    const double radius = length_at(L, 2, "pen.circle", "radius");
-    painter(L).circle(center, radius, paint_at(L, 3, "pen.circle"));
-    return 0;
-}
-
-int box(lua_State* L) {
-    drop_self(L);
-    const Vec2 center = point_at(L, 1, "pen.box");
-    const double w = length_at(L, 2, "pen.box", "width") / 2;
-    const double h = length_at(L, 3, "pen.box", "height") / 2;
-    const double angle = number_or(L, 7, "pen.box", 0);
-    check_finite(angle, "pen.box");
-    const double c = std::cos(angle), s = std::sin(angle);
-    std::vector<Vec2> corners;
-    for (const Vec2& corner : {Vec2(-w, -h), Vec2(w, -h), Vec2(w, h), Vec2(-w, h)})
-        corners.push_back(center + Vec2(c * corner.x - s * corner.y, s * corner.x + c * corner.y));
-    painter(L).polygon(corners, 0, paint_at(L, 4, "pen.box"));
-    return 0;
-}
-
-int polygon(lua_State* L) {
-    drop_self(L);
-    const Value value = to_value(L, 1);
-    if (!value.is(Type::list) || value.list().size() < 3)
-        throw Error(ErrorKind::wrong_type, "pen.polygon: needs a list of three or more vec");
-    std::vector<Vec2> vertices;
-    for (const Value& each : value.list()) {
-        if (!each.is(Type::vec2))
-            throw Error(ErrorKind::wrong_type, "pen.polygon: needs a list of vec");
-        check_finite(each.vec2().x, "pen.polygon");
-        check_finite(each.vec2().y, "pen.polygon");
-        vertices.push_back(each.vec2());
-    }
-    machine_of(L).budget.charge(L, pair_charge * vertices.size() * vertices.size());
-    painter(L).polygon(vertices, 0, paint_at(L, 2, "pen.polygon"));
-    return 0;
-}
-
-int line(lua_State* L) {
-    drop_self(L);
-    const Vec2 from = point_at(L, 1, "pen.line"), to = point_at(L, 2, "pen.line");
-    const Color color = color_or(L, 3, "pen.line", {1, 1, 1, 1});
-    painter(L).line(from, to, color, width_or(L, 4, "pen.line", 1.5));
-    return 0;
-}
-
-int point(lua_State* L) {
-    drop_self(L);
-    const Vec2 position = point_at(L, 1, "pen.point");
-    const Color color = color_or(L, 2, "pen.point", {1, 1, 1, 1});
-    painter(L).point(position, color, width_or(L, 3, "pen.point", 4));
-    return 0;
-}
 
 property::TextAlign align_at(lua_State* L, int index) {
     if (lua_isnoneornil(L, index)) return property::TextAlign::middle;
@@ -460,8 +320,21 @@ int screen(lua_State* L) {
 int pen_index(lua_State* L) {
     // Names from other libraries differ too much for a suggestion by spelling.
     const std::string name = key_in_message(L, 2);
-    if (name == "rect" || name == "rectangle")
-        throw Error(ErrorKind::unknown_name, "pen has no " + name + " (did you mean \"box\"?)");
+    constexpr std::array<std::pair<std::string_view, const char*>, 10> others{
+        {{"rect", "box"},
+         {"rectangle", "box"},
+         {"oval", "ellipse"},
+         {"sector", "pie"},
+         {"lines", "line"},
+         {"polyline", "line"},
+         {"print", "text"},
+         {"printf", "text"},
+         {"draw", "image"},
+         {"sprite", "image"}}};
+    for (const auto& [other, own] : others)
+        if (name == other)
+            throw Error(ErrorKind::unknown_name,
+                        "pen has no " + name + " (did you mean \"" + own + "\"?)");
     return push_method(L, "pen");
 }
 
@@ -473,11 +346,7 @@ void open_pen(lua_State* L, Machine& machine) {
     lua_newtable(L);
     add_pure<pen_index>(L, "__index");
     lua_newtable(L);
-    add_function<circle>(L, "circle");
-    add_function<box>(L, "box");
-    add_function<polygon>(L, "polygon");
-    add_function<line>(L, "line");
-    add_function<point>(L, "point");
+    add_figures(L);
     add_function<text>(L, "text");
     add_function<screen>(L, "screen");
     add_function<text_size>(L, "text_size");

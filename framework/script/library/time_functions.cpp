@@ -16,6 +16,7 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
+#include <values/recording.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -120,6 +121,8 @@ int snapshot(lua_State* L) {
     machine.tree.at_barrier([held = std::weak_ptr<HeldSnapshot>(*box->held)] {
         if (const auto wanted = held.lock()) wanted->take();
     });
+    machine.recording.after_snapshot =
+        !machine.recording.active && !machine.recording.late_change_noted;
     return 1;
 }
 

@@ -241,8 +241,7 @@ ClassDescriptor group_descriptor() {
                            over_property()},
             .methods = {stop_method()},
             .events = {Event{.name = "finished",
-                             .doc = "All in it have ended; it is deleted at the next step."}},
-            .stem = "tween_group"};
+                             .doc = "All in it have ended; it is deleted at the next step."}}};
 }
 
 }  // namespace

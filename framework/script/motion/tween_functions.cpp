@@ -130,7 +130,7 @@ std::vector<Handle> members(lua_State* L, const char* kind, bool pauses) {
     return found;
 }
 
-const std::vector<std::string>& option_names() {
+const std::vector<std::string>& tween_option_names() {
     static const std::vector<std::string> names{"alternate", "loops", "pauses"};
     return names;
 }
@@ -138,9 +138,9 @@ const std::vector<std::string>& option_names() {
 /// Writes the value at the top of the stack to the option whose name is below it.
 void take_option(lua_State* L, Handle made) {
     const std::string name = lua_type(L, -2) == LUA_TSTRING ? string_at(L, -2) : "";
-    if (std::ranges::find(option_names(), name) == option_names().end())
+    if (std::ranges::find(tween_option_names(), name) == tween_option_names().end())
         throw Error(ErrorKind::unknown_name, "tween: there is no option " + short_text(L, -2) +
-                                                 property::suggestion(name, option_names()));
+                                                 property::suggestion(name, tween_option_names()));
     machine_of(L).tree.set(made, name, to_value(L, -1));
 }
 

@@ -168,6 +168,16 @@ std::string hint_at_shapes(const property::Tree& tree, const Class& of, const st
     return {};
 }
 
+/// "; a Label beside it shows a text: ...", for widgets without a text, or "".
+std::string hint_at_label(const property::Tree& tree, const Class& of, const std::string& name) {
+    const Class* const widget = tree.find_class("Widget");
+    if (widget == nullptr || !of.is_a(*widget)) return {};
+    const std::vector<std::string_view> meant = property_synonyms(name);
+    if (name != "text" && std::ranges::find(meant, "text") == meant.end()) return {};
+    return "; a Label beside it shows a text: Row { Label { text = ..., grow = 1 }, " + of.name() +
+           " { ... } }";
+}
+
 /// A native class has all the properties that its instances need, so another name is an error. The
 /// classes of scripts and plain objects take any name. The value is at 3.
 void refuse_unknown(lua_State* L, const Machine& machine, const Class& of,
@@ -181,6 +191,7 @@ void refuse_unknown(lua_State* L, const Machine& machine, const Class& of,
     if (lua_isfunction(L, 3)) refuse_unknown_handler(of, name);
     std::string hint = machine.hints.did_you_mean(of, name);
     if (hint.empty()) hint = hint_at_shapes(machine.tree, of, name);
+    if (hint.empty()) hint = hint_at_label(machine.tree, of, name);
     if (hint.empty())
         hint = classes_declaring(machine.tree, name) +
                "; a property of your own goes into props = { " + name + " = ... }";

@@ -38,8 +38,10 @@ void Hints::report(const std::string& about, const std::string& note) {
 void Hints::forget() {
     given_.clear();
     checked_.clear();
+    earlier_ = machine_.unplaced.handles;
     machine_.recording.drawn_changes.clear();
     machine_.recording.degrees.clear();
+    machine_.recording.late_change_noted = false;
 }
 
 // --- Properties

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <vector>
 
 #include <fettle/property/tree.h>
 
@@ -58,7 +59,7 @@ class Hints {
     void variable_hides_property(std::string_view name, const std::string& hint);
     /// To be called when `state` finds a value of another type.
     void stated(const std::string& name, const std::string& problem);
-    /// To be called before a game is loaded: forgets all given notes.
+    /// To be called before a game is loaded, also again: forgets all given notes.
     void forget();
 
   private:
@@ -80,6 +81,8 @@ class Hints {
 
     Machine& machine_;
     std::set<std::string> given_;
+    // Unplaced instances of the code before a reload, which drops them.
+    std::vector<property::Handle> earlier_;
     std::unordered_set<std::uint64_t> checked_;  // class and name
 };
 

@@ -251,7 +251,7 @@ int write_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
 
 int instance_newindex(lua_State* L) {
     const auto& self = *static_cast<const InstanceBox*>(lua_touserdata(L, 1));
-    const Property* property = self.members->recording.drawing ? nullptr : known_property(L, self);
+    const Property* property = self.members->recording.noting() ? nullptr : known_property(L, self);
     if (property != nullptr && write_typed(L, self.members->tree, self.handle, *property)) return 0;
     return write_slowly(L, machine_of(L), self);
 }

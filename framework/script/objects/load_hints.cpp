@@ -215,9 +215,12 @@ void Hints::check_dropped() {
                              [&](Handle made) { return tree.alive(made) && !tree.parent(made); }))
         return;
     std::vector<Handle> dropped = dropped_instances(machine_);
-    // A shape without a body is made for queries.
-    if (const Class* const shape = tree.find_class("Shape"))
-        std::erase_if(dropped, [&](Handle each) { return tree.class_of(each).is_a(*shape); });
+    std::erase_if(dropped,
+                  [&](Handle each) { return std::ranges::find(earlier_, each) != earlier_.end(); });
+    // A shape without a body is made for queries, and a sound plays without a place.
+    for (const char* const name : {"Shape", "SoundSource"})
+        if (const Class* const of = tree.find_class(name))
+            std::erase_if(dropped, [&](Handle each) { return tree.class_of(each).is_a(*of); });
     if (dropped.empty()) return;
     std::string text = property::with_article(tree.class_of(dropped.front()).name());
     if (dropped.size() > 1) text += " and " + std::to_string(dropped.size() - 1) + " more";

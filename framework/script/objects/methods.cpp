@@ -13,8 +13,8 @@
 #include <lua/stack.h>
 #include <objects/methods.h>
 #include <reference/reference_facts.h>
+#include <values/change_notes.h>
 #include <values/declarations.h>
-#include <values/drawn_changes.h>
 #include <values/members.h>
 #include <values/records.h>
 #include <values/values.h>
@@ -136,8 +136,7 @@ int call_method(lua_State* L) {
                                                method.name);
     if (method.effect != property::Effect::nothing && !machine.tree.changeable())
         machine.tree.require_changeable("call " + method.name);
-    if (method.effect != property::Effect::nothing)
-        note_drawn_change(machine, self->handle, method.name);
+    if (method.effect != property::Effect::nothing) note_change(machine, self->handle, method.name);
     Arguments arguments;
     read_arguments(L, machine, method, self->handle, arguments);
     // During a reload, the existing instances already have the effect of such a call. It is made

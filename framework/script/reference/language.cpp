@@ -193,7 +193,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "folder `moments` of the player's files, and the command prints where. Variables of "
          "scripts that are not in the tree, and timers, are not in it, as in a saved game."},
         {"snapshot", "snapshot(): Snapshot",
-         "The whole tree as it is at the next barrier between steps, for restore."},
+         "The whole tree as it is at the next barrier between steps, when the running function has "
+         "ended, for restore: with what this function changes afterwards, too."},
         {"state", "state(name: string, value: any): any",
          "Declares a variable of the game that is a property of `game`: state(\"score\", 0). From "
          "then on, `score` reads and writes game.score, so it is saved, rewound, watched and "

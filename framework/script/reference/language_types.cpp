@@ -7,24 +7,31 @@ namespace fettle::script {
 namespace {
 
 TypeDoc vec_type() {
-    return {"vec",
-            "A vector or point in the plane. One that was read from a property writes back when a "
-            "component is assigned: ball.velocity.x = 3.",
-            {{"x", "number", "To the right."},
-             {"y", "number", "Up."},
-             {"angle", "angle(self: vec): number",
-              "Its direction in radians, counter-clockwise from the x axis."},
-             {"cross", "cross(self: vec, other: vec): number",
-              "Cross product: above 0 when the other lies counter-clockwise."},
-             {"dot", "dot(self: vec, other: vec): number", "Scalar product."},
-             {"length", "length(self: vec): number", "How long it is."},
-             {"lerp", "lerp(self: vec, to: vec, share: number): vec",
-              "The point on the way to the other: 0 is here, 1 is there."},
-             {"normalized", "normalized(self: vec): vec",
-              "The same direction with length 1; the zero vector stays what it is."},
-             {"rotated", "rotated(self: vec, angle: number): vec",
-              "Turned counter-clockwise by an angle in radians."}},
-            {"add(vec): vec", "sub(vec): vec", "mul(number): vec", "div(number): vec", "unm: vec"}};
+    return {
+        "vec",
+        "A vector or point in the plane. One that was read from a property writes back when a "
+        "component is assigned: ball.velocity.x = 3.",
+        {{"x", "number", "To the right."},
+         {"y", "number", "Up."},
+         {"angle", "angle(self: vec): number",
+          "Its direction in radians, counter-clockwise from the x axis."},
+         {"cross", "cross(self: vec, other: vec): number",
+          "Cross product: above 0 when the other lies counter-clockwise."},
+         {"distance", "distance(self: vec, to: vec): number", "How far it is from another point."},
+         {"dot", "dot(self: vec, other: vec): number", "Scalar product."},
+         {"floor", "floor(self: vec): vec",
+          "Both components rounded down: the cell of a grid in which it lies."},
+         {"length", "length(self: vec): number", "How long it is."},
+         {"lerp", "lerp(self: vec, to: vec, share: number): vec",
+          "The point on the way to the other: 0 is here, 1 is there."},
+         {"limited", "limited(self: vec, length: number): vec",
+          "The same direction, and not longer than that."},
+         {"normalized", "normalized(self: vec): vec",
+          "The same direction with length 1; the zero vector stays what it is."},
+         {"round", "round(self: vec): vec", "Both components rounded to the nearest whole number."},
+         {"rotated", "rotated(self: vec, angle: number): vec",
+          "Turned counter-clockwise by an angle in radians."}},
+        {"add(vec): vec", "sub(vec): vec", "mul(number): vec", "div(number): vec", "unm: vec"}};
 }
 
 TypeDoc color_type() {
@@ -223,10 +230,15 @@ TypeDoc pen_type() {
         "is white unless it has a border. A border of nil or false draws none. Lines, points and "
         "texts are white unless they have a color. Borders and lines are measured in pixels, 1.5 "
         "unless a width is given.",
-        {{"box",
+        {{"arc",
+          "arc(center: vec, radius: number, from: number, to: number, stroke?: color|string, "
+          "width?: number)",
+          "A line along a part of a circle, from one angle to the other, in radians: "
+          "counter-clockwise if `to` is larger. pen.pie fills such a part."},
+         {"box",
           "box(center: vec, width: number, height: number, fill?: color|string|false, border?: "
-          "color|string|false, border_width?: number, angle?: number)",
-          "A rectangle, turned by an angle in radians."},
+          "color|string|false, border_width?: number, angle?: number, rounding?: number)",
+          "A rectangle, turned by an angle in radians, with corners of the radius `rounding`."},
          {"blend", "blend(mode: \"normal\"|\"add\"|\"multiply\")",
           "How the colors of what follows are put on what is there, until pen.pop() or the end of "
           "the function."},
@@ -237,6 +249,10 @@ TypeDoc pen_type() {
          {"clip", "clip(lower: vec, upper: vec)",
           "What follows is drawn only inside of this box, until pen.pop() or the end of the "
           "function."},
+         {"ellipse",
+          "ellipse(center: vec, width: number, height: number, fill?: color|string|false, border?: "
+          "color|string|false, border_width?: number, angle?: number)",
+          "An ellipse, turned by an angle in radians."},
          {"fade", "fade(opacity: number)",
           "Multiplies the opacity of what follows, until pen.pop() or the end of the function."},
          {"image",
@@ -247,10 +263,18 @@ TypeDoc pen_type() {
           "pen.screen. With one length it keeps its proportions. A table is a frame of a sheet: "
           "{ \"walk.png\", columns = 4, rows = 2, frame = 3 }, or of an export of Aseprite "
           "{ \"walk.json\", frame = 3 }."},
-         {"line", "line(from: vec, to: vec, stroke?: color|string, width?: number)", "A line."},
+         {"line",
+          "line(from: vec, to: vec, stroke?: color|string, width?: number)\nline(points: vec[], "
+          "stroke?: color|string, width?: number)",
+          "A line between two points, or through all points of a list."},
          {"linear", "linear(from: vec, to: vec, colors: color[]|string[])",
           "The fill of the circles, boxes and polygons that follow changes its color along this "
           "line, until pen.pop() or the end of the function."},
+         {"pie",
+          "pie(center: vec, radius: number, from: number, to: number, fill?: color|string|false, "
+          "border?: color|string|false, border_width?: number)",
+          "A piece of a circle from one angle to the other, in radians: counter-clockwise if `to` "
+          "is larger."},
          {"point", "point(position: vec, fill?: color|string, size?: number)",
           "A dot as many pixels wide as its size says, 4 without one."},
          {"polygon",

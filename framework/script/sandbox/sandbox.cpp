@@ -5,6 +5,7 @@
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>
+#include <text/other_languages.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -65,6 +66,10 @@ int unknown_of_text(lua_State* L) {
     if (lua_type(L, 2) == LUA_TNUMBER)
         throw property::Error(property::ErrorKind::unknown_name,
                               "a text has no elements; text:sub(1, 1) is its first letter");
+    if (lua_type(L, 2) == LUA_TSTRING)
+        if (const std::string hint = hint_for_text_method(view_at(L, 2)); !hint.empty())
+            throw property::Error(property::ErrorKind::unknown_name,
+                                  "a text has no " + string_at(L, 2) + hint);
     return push_method(L, "a text");
 }
 

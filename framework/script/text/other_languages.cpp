@@ -61,7 +61,23 @@ constexpr Foreign foreign_functions[] = {
     {"atan2", "math.atan(y, x)"},
     {"round", "math.floor(x + 0.5)"},
     {"clamp", "math.max(lowest, math.min(x, highest))"},
+    {"lerp mix", "a + (b - a) * share"},
+    {"sign sgn", "x > 0 and 1 or x < 0 and -1 or 0"},
+    {"contains includes indexof", "for index, value in ipairs(list) do ... end"},
+    {"split", "for part in text:gmatch(\"[^,]+\") do ... end"},
     {"exit", "quit()"},
+};
+
+/// Methods of texts.
+constexpr Foreign foreign_text_methods[] = {
+    {"split", "for part in text:gmatch(\"[^,]+\") do ... end"},
+    {"contains includes", "text:find(part, 1, true)"},
+    {"trim strip", "text:match(\"^%s*(.-)%s*$\")"},
+    {"replace", "text:gsub(pattern, by)"},
+    {"length size", "#text"},
+    {"substring substr slice", "text:sub(from, to)"},
+    {"to_upper toUpperCase uppercase", "text:upper()"},
+    {"to_lower toLowerCase lowercase", "text:lower()"},
 };
 
 constexpr std::string_view in_math =
@@ -169,6 +185,10 @@ std::string hint_for_name(std::string_view name) {
     if (holds_word(in_math, name)) return " (did you mean \"math." + std::string(name) + "\"?)";
     const std::string_view here = in_place_of(foreign_names, name);
     return hint_to_write(here.empty() ? in_place_of(foreign_functions, name) : here);
+}
+
+std::string hint_for_text_method(std::string_view name) {
+    return hint_to_write(in_place_of(foreign_text_methods, name));
 }
 
 namespace {

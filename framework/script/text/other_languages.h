@@ -9,6 +9,8 @@ namespace fettle::script {
 
 /// For a name that no variable has: `null`, `unpack`, `sqrt`.
 std::string hint_for_name(std::string_view name);
+/// For a method that no text has: `split`.
+std::string hint_for_text_method(std::string_view name);
 /// For a message of Lua about a value: "attempt to call a nil value (field 'pow')".
 std::string hint_for_value(std::string_view message);
 /// For a text that does not compile. `line`: where Lua stopped; `column`: bytes of the line before

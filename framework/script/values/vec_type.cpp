@@ -90,11 +90,39 @@ int vec_length(lua_State* L) {
     return 1;
 }
 
+int vec_distance(lua_State* L) {
+    const Vec2 a = check_vec(L, 1, "distance"), b = check_vec(L, 2, "distance");
+    lua_pushnumber(L, std::hypot(a.x - b.x, a.y - b.y));
+    return 1;
+}
+
 // A zero or infinite vector is returned unchanged.
 int vec_normalized(lua_State* L) {
     const Vec2 v = check_vec(L, 1, "normalized");
     const double length = std::hypot(v.x, v.y);
     push_vec(L, length > 0 && std::isfinite(length) ? Vec2(v / length) : v);
+    return 1;
+}
+
+int vec_limited(lua_State* L) {
+    const Vec2 v = check_vec(L, 1, "limited");
+    const double most = check_number(L, 2, "limited"), length = std::hypot(v.x, v.y);
+    if (!(most >= 0))
+        throw Error(ErrorKind::out_of_range, "limited: " + property::number_text(most) +
+                                                 " is not a length, which is 0 or more");
+    push_vec(L, length > most && std::isfinite(length) ? Vec2(v * (most / length)) : v);
+    return 1;
+}
+
+int vec_floor(lua_State* L) {
+    const Vec2 v = check_vec(L, 1, "floor");
+    push_vec(L, {std::floor(v.x), std::floor(v.y)});
+    return 1;
+}
+
+int vec_round(lua_State* L) {
+    const Vec2 v = check_vec(L, 1, "round");
+    push_vec(L, {std::floor(v.x + 0.5), std::floor(v.y + 0.5)});
     return 1;
 }
 
@@ -274,6 +302,10 @@ void define_vec(lua_State* L, Machine& machine) {
     add_pure<vec_tostring>(L, "__tostring");
     lua_newtable(L);
     add_pure<vec_length>(L, "length");
+    add_pure<vec_distance>(L, "distance");
+    add_pure<vec_limited>(L, "limited");
+    add_pure<vec_floor>(L, "floor");
+    add_pure<vec_round>(L, "round");
     add_pure<vec_normalized>(L, "normalized");
     add_pure<vec_dot>(L, "dot");
     add_pure<vec_cross>(L, "cross");

@@ -8,9 +8,9 @@
 #include <lua/machine.h>
 #include <reference/language.h>
 #include <text/words.h>
+#include <values/change_notes.h>
 #include <values/declarations.h>
 #include <values/degree_notes.h>
-#include <values/drawn_changes.h>
 #include <values/moved_lists.h>
 #include <values/recording.h>
 #include <values/replaced_formulas.h>
@@ -90,7 +90,7 @@ void assign_property(Machine& machine, Handle instance, const Property& property
 
 void write_property(Machine& machine, Handle instance, const Property& property,
                     const Value& value) {
-    note_drawn_change(machine, instance, property.name);
+    note_change(machine, instance, property.name);
     if (value.is_numeric()) note_degrees(machine, instance, property, value.as_double());
     Declarations& declarations = machine.declarations;
     if (!declarations.active()) {
@@ -135,7 +135,7 @@ void require_fitting(Machine& machine, Handle instance, std::string_view name,
 
 void write_formula(Machine& machine, Handle instance, std::string_view name,
                    property::Formula formula) {
-    note_drawn_change(machine, instance, name);
+    note_change(machine, instance, name);
     const std::string source = formula.source.empty() ? "a function" : one_line(formula.source);
     Declarations& declarations = machine.declarations;
     if (declarations.defers(instance))
@@ -171,7 +171,7 @@ void note_added(Machine& machine, Handle instance, std::string_view name) {
 }
 
 void set_or_add(Machine& machine, Handle instance, std::string_view name, const Value& value) {
-    note_drawn_change(machine, instance, name);
+    note_change(machine, instance, name);
     Declarations& declarations = machine.declarations;
     if (declarations.defers(instance)) return declarations.defer(instance, name, value);
     declarations.writing(instance, name);
@@ -186,7 +186,7 @@ Handle child_of(Machine& machine, Handle instance, std::string_view name) {
 }
 
 void clear_property(Machine& machine, Handle instance, const Property& property) {
-    note_drawn_change(machine, instance, property.name);
+    note_change(machine, instance, property.name);
     Declarations& declarations = machine.declarations;
     const std::string name = property.name;
     if (declarations.defers(instance)) return declarations.defer(instance, name, Value());
@@ -222,7 +222,7 @@ bool is_named_wrongly(const property::Tree& tree, Handle instance, Handle parent
 
 void place(Machine& machine, Handle instance, Handle parent, std::string_view name,
            property::PlainNames* plain_names) {
-    note_drawn_change(machine, parent, name);
+    note_change(machine, parent, name);
     // The tree would put a number after a wrong name of its own; as a given name it is an error.
     std::string own;
     if (name.empty() && machine.tree.alive(instance) && machine.tree.alive(parent)) {
@@ -236,7 +236,7 @@ void place(Machine& machine, Handle instance, Handle parent, std::string_view na
 }
 
 void replace(Machine& machine, Handle old, Handle by) {
-    note_drawn_change(machine, old, {});
+    note_change(machine, old, {});
     Declarations& declarations = machine.declarations;
     if (declarations.reloading() && declarations.has_place(old)) {
         const Declarations::Place place = declarations.place_of(old);
@@ -261,7 +261,7 @@ void destroy(Machine& machine, Handle instance) {
                                                   "be deleted; find(Class):delete(), as in "
                                                   "world:find(Body):delete(), deletes those of "
                                                   "a class");
-    note_drawn_change(machine, instance, {});
+    note_change(machine, instance, {});
     if (machine.declarations.defers(instance)) return;
     if (machine.declarations.reloading()) machine.declarations.remove(instance);
     const bool placed = machine.tree.is_below(instance, machine.tree.root());

@@ -15,7 +15,7 @@ using physics::WeldJoint;
 
 void define_weld_joint(Hosting& hosting) {
     property::ClassDescriptor weld = pair_joint<JointType::weld>(
-        hosting, "WeldJoint", "weld_joint", "Holds two bodies together, rigidly or as a spring.",
+        hosting, "WeldJoint", "Holds two bodies together, rigidly or as a spring.",
         {
             measured_number(
                 "reference_angle", "rad",
@@ -45,7 +45,7 @@ void define_weld_joint(Hosting& hosting) {
 
 void define_motor_joint(Hosting& hosting) {
     property::ClassDescriptor motor = pair_joint<JointType::motor>(
-        hosting, "MotorJoint", "motor_joint",
+        hosting, "MotorJoint",
         "Drives body_b relative to body_a with a limited force and torque: to a velocity or, "
         "with a hertz, to an offset. With velocity 0 it is the friction of a game seen from "
         "above.",
@@ -99,7 +99,7 @@ float phase_now(Hosting& hosting, Row row) {
 
 void define_pulley_joint(Hosting& hosting) {
     property::ClassDescriptor pulley = pair_joint<JointType::pulley>(
-        hosting, "PulleyJoint", "pulley_joint",
+        hosting, "PulleyJoint",
         "A rope from body_a over two wheels of the world to body_b. It only pulls.",
         {
             within(
@@ -130,7 +130,7 @@ void define_pulley_joint(Hosting& hosting) {
 
 void define_gear_joint(Hosting& hosting) {
     hosting.tree.define(pair_joint<JointType::gear>(
-        hosting, "GearJoint", "gear_joint", "Turns body_b with body_a.",
+        hosting, "GearJoint", "Turns body_b with body_a.",
         {
             number("ratio", 1, "",
                    "Turns of body_b for one turn of body_a: negative for wheels that mesh, "
@@ -146,8 +146,7 @@ void define_gear_joint(Hosting& hosting) {
 
 void define_ratchet_joint(Hosting& hosting) {
     hosting.tree.define(pair_joint<JointType::ratchet>(
-        hosting, "RatchetJoint", "ratchet_joint",
-        "Lets body_b turn relative to body_a in one direction only.",
+        hosting, "RatchetJoint", "Lets body_b turn relative to body_a in one direction only.",
         {
             amount("tooth", 0, "rad", "Angle between two teeth; 0: it holds at any angle.",
                    setting<&RatchetJoint::tooth, &RatchetJoint::set_tooth>(hosting)),

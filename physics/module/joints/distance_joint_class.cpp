@@ -11,7 +11,7 @@ void define_distance_joint(Hosting& hosting) {
         return (h.joints.world_anchor(row, 1) - h.joints.world_anchor(row, 0)).length();
     };
     property::ClassDescriptor distance = pair_joint<JointType::distance>(
-        hosting, "DistanceJoint", "distance_joint",
+        hosting, "DistanceJoint",
         "Keeps two points at a distance: a rod; with a finite hertz a spring; with hertz 0 and a "
         "max_length a rope.",
         {

@@ -101,12 +101,11 @@ Binding angle_from_reference(Hosting& hosting) {
 }
 
 template <physics::JointType type>
-property::ClassDescriptor pair_joint(Hosting& hosting, std::string name, std::string stem,
-                                     std::string doc, std::vector<Property> properties) {
+property::ClassDescriptor pair_joint(Hosting& hosting, std::string name, std::string doc,
+                                     std::vector<Property> properties) {
     property::ClassDescriptor of;
     of.name = std::move(name);
     of.base = "PairJoint";
-    of.stem = std::move(stem);
     of.doc = std::move(doc);
     of.lifecycle = joint_lifecycle<type>(hosting);
     of.makes_base_rows = true;

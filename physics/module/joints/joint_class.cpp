@@ -158,7 +158,6 @@ void define_mouse_joint(Hosting& hosting) {
     property::ClassDescriptor mouse;
     mouse.name = "MouseJoint";
     mouse.base = "Joint";
-    mouse.stem = "mouse_joint";
     mouse.doc = "Pulls a point of a body softly towards a target, as for dragging with the mouse.";
     mouse.lifecycle = joint_lifecycle<JointType::mouse>(hosting);
     mouse.makes_base_rows = true;

@@ -12,10 +12,10 @@ using physics::RotaryLimitJoint;
 
 void define_limiting_joints(Hosting& hosting) {
     hosting.tree.define(pair_joint<JointType::filter>(
-        hosting, "FilterJoint", "filter_joint",
+        hosting, "FilterJoint",
         "Its two bodies do not collide with each other; it does nothing else.", {}));
     hosting.tree.define(pair_joint<JointType::rotary_limit>(
-        hosting, "RotaryLimitJoint", "rotary_limit_joint",
+        hosting, "RotaryLimitJoint",
         "Keeps the angle of body_b relative to body_a between two angles, wherever the bodies are.",
         {
             figure("angle", "rad", "Angle of body_b relative to body_a, minus the reference_angle.",

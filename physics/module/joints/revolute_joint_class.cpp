@@ -46,8 +46,8 @@ std::vector<Property> properties(Hosting& hosting) {
 
 void define_revolute_joint(Hosting& hosting) {
     property::ClassDescriptor revolute = pair_joint<JointType::revolute>(
-        hosting, "RevoluteJoint", "revolute_joint",
-        "A pin through two bodies, about which they turn.", properties(hosting));
+        hosting, "RevoluteJoint", "A pin through two bodies, about which they turn.",
+        properties(hosting));
     for (Property& property : revolute.properties)
         if (property.name == "max_motor_torque") property.infinity = true;
     hosting.tree.define(std::move(revolute));

@@ -52,14 +52,14 @@ void define_sliding_joints(Hosting& hosting) {
         measured_setting<JointType::prismatic, &PrismaticJoint::reference_angle,
                          &PrismaticJoint::set_reference_angle, angle_between>(hosting)));
     hosting.tree.define(pair_joint<JointType::prismatic>(
-        hosting, "PrismaticJoint", "prismatic_joint",
-        "Lets body_b slide along an axis of body_a without turning.", std::move(drawer)));
+        hosting, "PrismaticJoint", "Lets body_b slide along an axis of body_a without turning.",
+        std::move(drawer)));
     hosting.tree.define(pair_joint<JointType::pin_slot>(
-        hosting, "PinSlotJoint", "pin_slot_joint",
+        hosting, "PinSlotJoint",
         "A pin of body_b in a straight slot of body_a: it slides, and turns freely.",
         slide_properties<physics::PinSlotJoint>(hosting)));
     hosting.tree.define(pair_joint<JointType::groove>(
-        hosting, "GrooveJoint", "groove_joint",
+        hosting, "GrooveJoint",
         "A pin of body_b in a groove of body_a from anchor_a to groove_end.",
         {within(coordinates,
                 vector("groove_end", {1, 0}, "m", "End of the groove in the coordinates of body_a.",

@@ -7,7 +7,7 @@ namespace fettle::physics_module {
 void define_wheel_joint(Hosting& hosting) {
     using physics::WheelJoint;
     property::ClassDescriptor wheel = pair_joint<physics::JointType::wheel>(
-        hosting, "WheelJoint", "wheel_joint",
+        hosting, "WheelJoint",
         "A wheel, body_b, that is sprung along an axis of body_a and may be driven.",
         {
             figure("translation", "m",
