@@ -1,4 +1,5 @@
 #include <collision/collide_solids.h>
+#include <contacts/flush_shapes.h>
 #include <contacts/kept_manifold.h>
 #include <contacts/moving_point.h>
 #include <contacts/narrow_phase.h>
@@ -79,7 +80,7 @@ class Collision {
 
     /// Computes the manifolds of some awake contacts, and lists which contacts need more work.
     void run(std::span<const uint32_t> slots, size_t begin, size_t end, CollidedPiece& piece) {
-        uint64_t over = 0, computed = 0, known = 0;
+        uint64_t over = 0, computed = 0, known = 0, flush_ones = 0;
         uint32_t features[run_length];
         for (size_t i = begin; i < end; ++i) {
             if (i + contacts_ahead < slots.size())
@@ -97,28 +98,59 @@ class Collision {
             if (ends || !is_near(c)) {
                 c.manifold.count = 0;
             } else {
+                if (may_be_flush(in_.objects, c)) {
+                    flush_ones |= uint64_t{1} << (i - begin);
+                    before_[i - begin] = OldPoints::of(c.manifold);
+                }
                 collide_pair(c);
                 computed |= uint64_t{may_keep(in_.objects, c)} << (i - begin);
             }
         }
         if (batch_.count > 0) flush();
+        for (uint64_t left = flush_ones; left != 0; left &= left - 1) {
+            const int i = std::countr_zero(left);
+            const uint32_t slot = slots[begin + size_t(i)];
+            const uint64_t bit = uint64_t{1} << i;
+            if (in_.objects.contacts[slot].manifold.count > 0)
+                piece.flush.push_back({slot, (known & bit) != 0, before_[i]}), computed &= ~bit;
+            else
+                flush_ones &= ~bit;
+        }
         for (; computed != 0; computed &= computed - 1)
             keep_manifold(in_.objects, slots[begin + size_t(std::countr_zero(computed))]);
         for (size_t i = begin; i < end; ++i) {
             const uint32_t slot = slots[i];
             const uint64_t bit = uint64_t{1} << (i - begin);
             if ((over & bit) != 0) piece.over.push_back(slot);
-            const ContactRecord& c = in_.objects.contacts[slot];
-            if (keeps_ && has_moving_point(c))
-                continue_point(
-                    in_.objects, slot,
-                    (known & bit) != 0 && features[i - begin] == c.manifold.points[0].feature,
-                    moment_);
-            if (needs_more(c)) piece.more.push_back(slot);
+            if ((flush_ones & bit) == 0)
+                complete(slot, (known & bit) != 0, features[i - begin], piece);
         }
     }
 
+    /// The rest of the work for contacts that depend on other pairs, when all pairs are known.
+    void finish_flush(CollidedPiece& piece) {
+        for (const FlushContact& flush : piece.flush) {
+            push_with_common_outline(in_, flush.slot, flush.before);
+            if (may_keep(in_.objects, in_.objects.contacts[flush.slot]))
+                keep_manifold(in_.objects, flush.slot);
+            complete(flush.slot, flush.known, flush.before.features[0], piece);
+        }
+        if (piece.flush.empty()) return;
+        const std::vector<ContactRecord>& contacts = in_.objects.contacts;
+        std::sort(piece.more.begin(), piece.more.end(), [&](uint32_t first, uint32_t second) {
+            return contacts[first].awake_index < contacts[second].awake_index;
+        });
+    }
+
   private:
+    /// `known`: the geometry of the point `feature` in the last step is stored.
+    void complete(uint32_t slot, bool known, uint32_t feature, CollidedPiece& piece) {
+        const ContactRecord& c = in_.objects.contacts[slot];
+        if (keeps_ && has_moving_point(c))
+            continue_point(in_.objects, slot, known && feature == c.manifold.points[0].feature,
+                           moment_);
+        if (needs_more(c)) piece.more.push_back(slot);
+    }
     bool is_over(const ContactRecord& c) const {
         return (in_.scratch.relocated[c.shape_a] | in_.scratch.relocated[c.shape_b]) != 0 &&
                !overlap(in_.boxes.fat_boxes[c.shape_a], in_.boxes.fat_boxes[c.shape_b]);
@@ -177,6 +209,7 @@ class Collision {
     CollisionBatch batch_ = {};
     ContactRecord* records_[CollisionBatch::size] = {};
     Manifold unused_;
+    OldPoints before_[run_length];  ///< of contacts that other shapes may change
 };
 
 /// The rare work after a manifold: ends a touch, or wakes a sleeping body that is about to be hit.
@@ -232,6 +265,23 @@ size_t collide_awake(const NarrowPhaseInput& in, std::span<const uint32_t> slots
             collision.run(slots, i, std::min(i + run_length, end), piece);
     });
     return first + pieces;
+}
+
+/// Finishes the contacts that depend on other pairs, in the pieces from `first` to `last`.
+void finish_flush(const NarrowPhaseInput& in, size_t first, size_t last) {
+    std::vector<CollidedPiece>& collided = in.scratch.collided;
+    size_t contacts = 0;
+    for (size_t i = first; i < last; ++i) contacts += collided[i].flush.size();
+    if (contacts == 0) return;
+    const auto finish = [&](uint32_t i) {
+        if (!collided[first + i].flush.empty()) Collision(in).finish_flush(collided[first + i]);
+    };
+    const auto pieces = uint32_t(last - first);
+    if (contacts >= contacts_of_piece) {
+        parallel_for(in.threads, pieces, finish);
+    } else {
+        for (uint32_t i = 0; i < pieces; ++i) finish(i);
+    }
 }
 
 /// One thread creates the new contacts while the other threads collide the old ones.
@@ -295,6 +345,7 @@ void narrow_phase(const NarrowPhaseInput& in) {
     size_t collided_contacts = awake.size(), processed = 0;
     in.scratch.pressed.clear();
     size_t pieces = collide_and_create(in);
+    finish_flush(in, 0, pieces);
     wake_for_sensors(in);
     collide_resting(in);
     // New contacts are collided in another round. So are contacts that wake when the listed pairs
@@ -302,7 +353,14 @@ void narrow_phase(const NarrowPhaseInput& in) {
     for (;;) {
         const std::span slots = std::span(awake).subspan(collided_contacts);
         collided_contacts = awake.size();
-        if (!slots.empty()) pieces = collide_awake(in, slots, pieces, 0, [](uint32_t) {});
+        if (!slots.empty()) {
+            const size_t first = pieces;
+            pieces = collide_awake(in, slots, first, 0, [](uint32_t) {});
+            finish_flush(in, first, pieces);
+            for (size_t i = first; i < pieces; ++i)
+                for (const FlushContact& flush : collided[i].flush)
+                    drop_kept_beside(in, flush.slot);
+        }
         for (; processed < pieces; ++processed)
             for (const uint32_t slot : collided[processed].more) process_pair(in, slot);
         if (collided_contacts == awake.size()) break;

@@ -35,16 +35,52 @@ struct Crossing {
     bool overlapped = false;  ///< at the end of the step
 };
 
+/// What a new manifold takes over from the points of the last step.
+struct OldPoints {
+    int count = 0;
+    uint32_t features[2] = {};
+    float normal_impulses[2] = {}, tangent_impulses[2] = {};
+
+    static OldPoints of(const Manifold& m) {
+        OldPoints old;
+        old.count = m.count;
+        for (int i = 0; i < m.count; ++i) {
+            old.features[i] = m.points[i].feature;
+            old.normal_impulses[i] = m.points[i].normal_impulse;
+            old.tangent_impulses[i] = m.points[i].tangent_impulse;
+        }
+        return old;
+    }
+    /// A point with the same vertex and the same edge keeps its impulses for the warm start.
+    void give_impulses(ManifoldPoint& point) const {
+        for (int i = 0; i < count; ++i) {
+            if (features[i] != point.feature) continue;
+            point.normal_impulse = normal_impulses[i];
+            point.tangent_impulse = tangent_impulses[i];
+            return;
+        }
+    }
+};
+
+/// A contact that other shapes may change: contacts/flush_shapes.h.
+struct FlushContact {
+    uint32_t slot = none;
+    bool known = false;  ///< the geometry of its point is stored
+    OldPoints before;
+};
+
 /// Contacts that need more work after their manifolds: slots, in the order of the list.
 struct CollidedPiece {
-    std::vector<uint32_t> over;  ///< pairs that end
-    std::vector<uint32_t> more;  ///< touch ends, or about to hit a sleeping body
+    std::vector<uint32_t> over;       ///< pairs that end
+    std::vector<uint32_t> more;       ///< touch ends, or about to hit a sleeping body
+    std::vector<FlushContact> flush;  ///< not finished: they depend on other pairs
 
     void clear() {
         over.clear();
         more.clear();
+        flush.clear();
     }
-    static void scratch(auto& io, auto& self) { io(self.over), io(self.more); }
+    static void scratch(auto& io, auto& self) { io(self.over), io(self.more), io(self.flush); }
 };
 
 /// Bodies that need more work after they have moved.
