@@ -189,6 +189,17 @@ bool is_fast(const ContactExtra& extra, float restitution_threshold) {
     return min(extra.approach[0], extra.approach[1]) < -restitution_threshold;
 }
 
+/// The velocity along the normal after an impact, here and now. The shapes meet where the gap is 0,
+/// faster or slower than now, and what is left of their speed there would change on the way back.
+/// `gap`: now; `velocity`: the present one; `change`: by forces, in the whole step.
+float velocity_after(float restitution, float velocity, float gap, float change, float dt) {
+    const float e = restitution, straight = -e * velocity;
+    // A deeper overlap is older than the last step, and does not count.
+    if (e >= 1.0f || !(gap > velocity * dt)) return straight;
+    const float work = 2.0f * gap * change / dt;
+    return std::sqrt(max(straight * straight + (1.0f - e * e) * work, 0.0f));
+}
+
 /// The points of a contact that meet within the step.
 struct Meeting {
     float velocity[2] = {};  ///< present ones of the points, m/s
@@ -196,9 +207,10 @@ struct Meeting {
     bool meets[2] = {};
     float time = 1.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
 
+    /// `jointed`: the bodies have joints, which change what forces do.
     Meeting(const AtImpact& impact, const ContactExtra& extra, const SolverBody& a,
             const SolverBody& b, const SolverForce& fa, const SolverForce& fb, int substeps,
-            float dt, float threshold) {
+            float dt, float threshold, bool jointed) {
         const ContactConstraint& c = impact.contact;
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
@@ -211,9 +223,14 @@ struct Meeting {
             if (meets[k]) time = min(time, p.separation / (-dt * mean));
             // Velocities are those half a sub-step before their positions. Without this term, every
             // bounce would lose the work of the forces in a sub-step.
-            const float v = extra.restitution > 0.0f ? closing + 0.5f * change
-                                                     : velocity[k] + max(p.separation, 0.0f) / dt;
-            wanted[k] = -(1.0f + extra.restitution) * v;
+            if (extra.restitution > 0.0f) {
+                const float now = closing + 0.5f * change;
+                const float by_forces = jointed ? 0.0f : float(substeps) * change;
+                wanted[k] =
+                    velocity_after(extra.restitution, now, p.separation, by_forces, dt) - now;
+            } else {
+                wanted[k] = -(velocity[k] + max(p.separation, 0.0f) / dt);
+            }
         }
     }
     bool any() const { return meets[0] || meets[1]; }
@@ -391,9 +408,9 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         const auto impact = at_impact(c, extra, a, b, dt);
         if (!impact) continue;
         const ContactConstraint& met = impact->contact;
-        Meeting meeting(*impact, extra, a, b, fa, fb, substeps, dt, restitution_threshold);
-        if (!meeting.any()) continue;
         const bool jointed = joints != nullptr && joints->acts_on(c.a, c.b);
+        Meeting meeting(*impact, extra, a, b, fa, fb, substeps, dt, restitution_threshold, jointed);
+        if (!meeting.any()) continue;
         if (!jointed && extra.restitution >= least_worth) {
             impacts.push_back(PairImpact(i, met, extra, meeting));
             // Also if it is left out of this pass: the next one looks at it again.
