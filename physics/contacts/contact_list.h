@@ -73,6 +73,15 @@ struct UserFilter {
     bool operator()(uint32_t a, uint32_t b) const { return !agrees || agrees(world, a, b); }
 };
 
+/// The callbacks of the user that decide about a contact, if there are any.
+struct UserDecision {
+    void* world = nullptr;
+    bool (*acts)(void* world, uint32_t contact) = nullptr;
+
+    explicit operator bool() const { return acts != nullptr; }
+    bool operator()(uint32_t contact) const { return !acts || acts(world, contact); }
+};
+
 bool filters_agree(const ObjectState& objects, uint32_t shape_a, uint32_t shape_b);
 /// True if the joint prevents collisions of its two bodies. False for a joint with the world: the
 /// border belongs to the world, and a body that is joined to the world must still collide with the

@@ -26,38 +26,41 @@ bool is_segment(const ShapeForm& form) {
 }
 
 /// A shape that touches a two-sided segment stays on its side, however deep it is.
-void keep_side(const NarrowPhaseInput& in, ContactRecord& c, float margin, Vec2 old_normal) {
-    const bool first = is_segment(in.objects.forms[c.shape_a]);
+void keep_side(const ObjectState& objects, const Columns& columns, ContactRecord& c, float margin,
+               Vec2 old_normal) {
+    const bool first = is_segment(objects.forms[c.shape_a]);
     const uint32_t segment = first ? c.shape_a : c.shape_b, other = first ? c.shape_b : c.shape_a;
-    if (in.objects.forms[other].kind == FormKind::border) return;
+    if (objects.forms[other].kind == FormKind::border) return;
     Manifold& m = c.manifold;
     const Vec2 side = first ? old_normal : -old_normal;
     const Vec2 now = first ? m.normal : -m.normal;
     if (m.count > 0 && dot(side, now) >= 0.0f) return;
-    const Solid sheet = solid_of(in.objects, in.columns, segment);
+    const Solid sheet = solid_of(objects, columns, segment);
     if (std::fabs(dot(side, sheet.form.normals[0])) < 0.7f) return;  // it touched an end
-    const Vec2 offset = in.objects.forms[other].center - in.objects.forms[segment].center;
+    const Vec2 offset = objects.forms[other].center - objects.forms[segment].center;
     Manifold kept = {};
-    collide_on_side(sheet, solid_of(in.objects, in.columns, other), side, offset, margin, kept);
+    collide_on_side(sheet, solid_of(objects, columns, other), side, offset, margin, kept);
     if (kept.count == 0) return;
     if (!first) swap_shapes(kept);
     m = kept;
 }
 
-/// Computes the manifold of one pair.
-void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
+}  // namespace
+
+void update_manifold(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
+                     ContactRecord& c) {
     const Manifold old = c.manifold;
     Manifold& m = c.manifold;
     m.count = 0;
-    const ShapeForm &a = in.objects.forms[c.shape_a], &b = in.objects.forms[c.shape_b];
+    const ShapeForm &a = objects.forms[c.shape_a], &b = objects.forms[c.shape_b];
     const float margin = c.sensor ? 0.0f : speculative_margin;
     if (usual_forms(a, b))
-        collide(in.objects.convex(c.shape_a), in.objects.convex(c.shape_b), b.center - a.center,
-                margin, m);
+        collide(objects.convex(c.shape_a), objects.convex(c.shape_b), b.center - a.center, margin,
+                m);
     else
-        collide_special_forms(in.objects, in.columns, in.settings, c, margin, old.count > 0, m);
+        collide_special_forms(objects, columns, settings, c, margin, old.count > 0, m);
     if (old.count > 0 && !c.sensor && c.skipped == Skipped::no && (is_segment(a) || is_segment(b)))
-        keep_side(in, c, margin, old.normal);
+        keep_side(objects, columns, c, margin, old.normal);
     // A point with the same vertex and the same edge keeps its impulses for the warm start.
     for (int i = 0; i < m.count; ++i) {
         for (int k = 0; k < old.count; ++k) {
@@ -68,6 +71,8 @@ void update_manifold(const NarrowPhaseInput& in, ContactRecord& c) {
         }
     }
 }
+
+namespace {
 
 class Collision {
   public:
@@ -162,7 +167,7 @@ class Collision {
     void collide_pair(ContactRecord& c) {
         const ShapeForm &a = in_.objects.forms[c.shape_a], &b = in_.objects.forms[c.shape_b];
         if (!a.is_small_polygon() || !b.is_small_polygon()) {
-            update_manifold(in_, c);
+            update_manifold(in_.objects, in_.columns, in_.settings, c);
             return;
         }
         const int lane = batch_.count++;
@@ -189,7 +194,8 @@ class Collision {
         for (uint32_t again = in_.kernels.collide(arrays_, batch_); again != 0;
              again &= again - 1) {
             const int lane = std::countr_zero(again);
-            if (lane < batch_.count) update_manifold(in_, *records_[lane]);
+            if (lane < batch_.count)
+                update_manifold(in_.objects, in_.columns, in_.settings, *records_[lane]);
         }
         batch_.count = 0;
     }
@@ -333,7 +339,7 @@ void wake_for_sensors(const NarrowPhaseInput& in) {
 /// lies on what is below it, and wakes when that is removed.
 void collide_resting(const NarrowPhaseInput& in) {
     for_each_resting(in, [&](ContactRecord& c) {
-        if (!c.sensor) update_manifold(in, c);
+        if (!c.sensor) update_manifold(in.objects, in.columns, in.settings, c);
     });
 }
 

@@ -30,6 +30,10 @@ struct NarrowPhaseInput {
 /// Also creates contacts of the new pairs.
 void narrow_phase(const NarrowPhaseInput& input);
 
+/// Computes the manifold of one contact. Points with the same features keep their impulses.
+void update_manifold(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
+                     ContactRecord& contact);
+
 /// Destroys the contacts of the pairs that ended in the narrow phase. They have no manifold, and no
 /// stage in between reads them.
 void end_pairs(const ContactList& list, PairScratch& scratch);

@@ -3,6 +3,7 @@
 #include <solver/solved_pair.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 // Impacts before the sub-steps: docs/design/physics.md, "Bounces come first"; and those that the
@@ -78,15 +79,49 @@ float velocity_at(const ContactConstraint& c, int point, const SolverBody& a, co
            (p.normal_lever_b * b.angular_velocity - p.normal_lever_a * a.angular_velocity);
 }
 
+/// What forces change along the normal at a point in a sub-step, m/s.
+float change_at(const ContactConstraint& c, int point, const SolverForce& fa,
+                const SolverForce& fb) {
+    const ConstraintPoint& p = c.points[point];
+    return dot(c.normal, fb.change - fa.change) +
+           (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
+}
+
 /// What moving along the tangent of a corner adds to the gap by the end of the step, m. `velocity`:
 /// the present one along the normal, m/s.
 float opening_at_corner(const ContactConstraint& c, const ContactExtra& extra, float velocity,
                         const SolverBody& a, const SolverBody& b, float dt) {
-    if (extra.corner.distance == 0.0f || !(velocity < 0.0f)) return 0.0f;
+    if (!(velocity < 0.0f)) return 0.0f;
     const SolverBody at_start;
     return path_around(extra.corner, c.normal, at_start, at_start, PairMotion(a, b), 0.0f, velocity,
                        dt)
         .opening;
+}
+
+/// Turns the contact at a corner to the moment at which the cores are as near as the shapes allow,
+/// on a straight path: until then they move along the tangent. The gap becomes that before the
+/// tangent plane of the impact. With the normal of the beginning, a glancing bounce would end
+/// another velocity than that with which the shapes meet, and lose speed. False if they pass.
+/// `approach` and `slip`: velocities of the cores along the normal and the
+/// tangent.
+bool turn_to_impact(ContactConstraint& c, const Corner& corner, const SolverBody& a,
+                    const SolverBody& b, float approach, float slip) {
+    ConstraintPoint& p = c.points[0];
+    const float d = corner.distance, r = d - p.separation, outside = d * d - r * r;
+    if (!(outside > 0.0f)) return true;  // they overlap
+    const float way = d * approach, square = approach * approach + slip * slip;
+    const float root = way * way - square * outside;
+    if (!(approach < 0.0f && root > 0.0f && r > 0.0f)) return false;
+    const float time = outside / (std::sqrt(root) - way);
+    const Vec2 to = normalized({d + approach * time, slip * time});
+    p.separation = d * to.x - r;
+    c.normal = to.x * c.normal + to.y * right_perp(c.normal);
+    p.normal_lever_a = to.x * p.normal_lever_a + to.y * corner.lever_a;
+    p.normal_lever_b = to.x * p.normal_lever_b + to.y * corner.lever_b;
+    p.normal_mass = inverse_or_zero(c.inverse_along(c.normal) +
+                                    a.inverse_inertia * p.normal_lever_a * p.normal_lever_a +
+                                    b.inverse_inertia * p.normal_lever_b * p.normal_lever_b);
+    return true;
 }
 
 /// The velocity along the normal when the gap at a point closes, m/s. `velocity`: the present one.
@@ -101,6 +136,33 @@ float closing_velocity(const ContactConstraint& c, const ContactExtra& extra, in
     const float gap = max(c.points[point].separation, 0.0f), radius = corner.distance - gap;
     const float bend = gap * (corner.distance + radius) / max(radius * radius, 1e-12f);
     return -std::sqrt(max(velocity * velocity - u * u * bend, 0.0f));
+}
+
+/// The contact of two bodies as it is when they meet.
+struct AtImpact {
+    ContactConstraint contact;
+    float slowed = 0.0f;  ///< what the path around a corner takes from the approach, m/s
+};
+
+/// Nothing if the bodies pass each other at a corner. Forces do not count: a wheel that the ground
+/// carries does not fall before the next seam. It lies a little below the corners of the seams,
+/// though, and a ball that flies does not: of what touches something else, too, only the corners
+/// that are in its way at the end of the step count, with the normal of the beginning.
+std::optional<AtImpact> at_impact(const ContactConstraint& c, const ContactExtra& extra,
+                                  const SolverBody& a, const SolverBody& b, float dt) {
+    AtImpact impact = {c};
+    const Corner& corner = extra.corner;
+    if (corner.distance == 0.0f || c.count != 1) return impact;
+    const float approach = extra.approach[0];
+    if (extra.restitution == 0.0f || extra.supported) {
+        impact.contact.points[0].separation += opening_at_corner(c, extra, approach, a, b, dt);
+        impact.slowed = closing_velocity(c, extra, 0, approach, a, b) - approach;
+        return impact;
+    }
+    const float slip = dot(right_perp(c.normal), b.velocity - a.velocity) +
+                       corner.lever_b * b.angular_velocity - corner.lever_a * a.angular_velocity;
+    if (!turn_to_impact(impact.contact, corner, a, b, approach, slip)) return {};
+    return impact;
 }
 
 void push(const ContactConstraint& c, int point, float impulse, std::span<SolverBody> bodies) {
@@ -127,33 +189,48 @@ bool is_fast(const ContactExtra& extra, float restitution_threshold) {
     return min(extra.approach[0], extra.approach[1]) < -restitution_threshold;
 }
 
+/// The velocity along the normal after an impact, here and now. The shapes meet where the gap is 0,
+/// faster or slower than now, and what is left of their speed there would change on the way back.
+/// `gap`: now; `velocity`: the present one; `change`: by forces, in the whole step.
+float velocity_after(float restitution, float velocity, float gap, float change, float dt) {
+    const float e = restitution, straight = -e * velocity;
+    // A deeper overlap is older than the last step, and does not count.
+    if (e >= 1.0f || !(gap > velocity * dt)) return straight;
+    const float work = 2.0f * gap * change / dt;
+    return std::sqrt(max(straight * straight + (1.0f - e * e) * work, 0.0f));
+}
+
 /// The points of a contact that meet within the step.
 struct Meeting {
-    float wanted[2] = {};  ///< changes of the velocities of the points by the impact, m/s
+    float velocity[2] = {};  ///< present ones of the points, m/s
+    float wanted[2] = {};    ///< their changes by the impact, m/s
     bool meets[2] = {};
     float time = 1.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
 
-    /// `extra.approach` has the present velocities of the bodies a and b.
-    Meeting(const ContactConstraint& c, const ContactExtra& extra, const SolverBody& a,
+    /// `jointed`: the bodies have joints, which change what forces do.
+    Meeting(const AtImpact& impact, const ContactExtra& extra, const SolverBody& a,
             const SolverBody& b, const SolverForce& fa, const SolverForce& fb, int substeps,
-            float dt, float threshold) {
+            float dt, float threshold, bool jointed) {
+        const ContactConstraint& c = impact.contact;
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
-            const float velocity = extra.approach[k];
-            const float gap = p.separation + opening_at_corner(c, extra, velocity, a, b, dt);
-            const float closing = closing_velocity(c, extra, k, velocity, a, b);
-            // Forces change it by this much in a sub-step.
-            const float change =
-                dot(c.normal, fb.change - fa.change) +
-                (p.normal_lever_b * fb.turn_change - p.normal_lever_a * fa.turn_change);
-            const float mean = velocity + 0.5f * float(substeps + 1) * change;
-            meets[k] = closing < -threshold && gap + dt * mean < 0.0f && p.normal_mass > 0.0f;
-            if (meets[k]) time = min(time, gap / (-dt * mean));
+            velocity[k] = velocity_at(c, k, a, b);
+            const float closing = velocity[k] + impact.slowed;
+            const float change = change_at(c, k, fa, fb);
+            const float mean = velocity[k] + 0.5f * float(substeps + 1) * change;
+            meets[k] =
+                closing < -threshold && p.separation + dt * mean < 0.0f && p.normal_mass > 0.0f;
+            if (meets[k]) time = min(time, p.separation / (-dt * mean));
             // Velocities are those half a sub-step before their positions. Without this term, every
             // bounce would lose the work of the forces in a sub-step.
-            const float v =
-                extra.restitution > 0.0f ? closing + 0.5f * change : velocity + max(gap, 0.0f) / dt;
-            wanted[k] = -(1.0f + extra.restitution) * v;
+            if (extra.restitution > 0.0f) {
+                const float now = closing + 0.5f * change;
+                const float by_forces = jointed ? 0.0f : float(substeps) * change;
+                wanted[k] =
+                    velocity_after(extra.restitution, now, p.separation, by_forces, dt) - now;
+            } else {
+                wanted[k] = -(velocity[k] + max(p.separation, 0.0f) / dt);
+            }
         }
     }
     bool any() const { return meets[0] || meets[1]; }
@@ -166,7 +243,7 @@ struct Meeting {
             const JointResponse::Reaction& reaction = response.reactions[k];
             const float forbidden = float(joints.forbidden(reaction, bodies));
             wanted[k] += (1.0f + extra.restitution) * forbidden;
-            meets[k] = meets[k] && extra.approach[k] - forbidden < -threshold;
+            meets[k] = meets[k] && velocity[k] - forbidden < -threshold;
             if (joints.are_driven(reaction))
                 meets[k] = meets[k] && !joints.are_held(reaction, response.of(k));
         }
@@ -180,6 +257,7 @@ constexpr float least_worth = 0.2f;
 /// An impact of two bodies in a pass.
 struct PairImpact {
     uint32_t constraint = 0;
+    ContactConstraint contact;  ///< at the impact
     float time = 0.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
     PointResponse response;
     bool meets[2] = {};
@@ -194,6 +272,7 @@ struct PairImpact {
     PairImpact(uint32_t index, const ContactConstraint& c, const ContactExtra& extra,
                const Meeting& meeting)
         : constraint(index),
+          contact(c),
           time(meeting.time),
           response(c),
           restitution(extra.restitution),
@@ -201,11 +280,12 @@ struct PairImpact {
         for (int k = 0; k < c.count; ++k) {
             meets[k] = meeting.meets[k];
             change[k] = meeting.wanted[k];
-            after[k] = extra.approach[k] + meeting.wanted[k];
+            after[k] = meeting.velocity[k] + meeting.wanted[k];
         }
     }
     /// Computes the impulses of a round. False if hardly a change of velocity is missing.
-    bool approach(const ContactConstraint& c, std::span<const SolverBody> bodies, float part) {
+    bool approach(std::span<const SolverBody> bodies, float part) {
+        const ContactConstraint& c = contact;
         constexpr float accuracy = 0.001f;
         const SolverBody &a = bodies[c.a], &b = bodies[c.b];
         float missing[2] = {};
@@ -221,9 +301,9 @@ struct PairImpact {
         for (int k = 0; k < c.count; ++k) added[k] = max(part * bounce.impulses[k], -impulses[k]);
         return true;
     }
-    void add(const ContactConstraint& c, std::span<SolverBody> bodies) {
-        for (int k = 0; k < c.count; ++k) {
-            push(c, k, added[k], bodies);
+    void add(std::span<SolverBody> bodies) {
+        for (int k = 0; k < contact.count; ++k) {
+            push(contact, k, added[k], bodies);
             impulses[k] += added[k];
         }
     }
@@ -236,17 +316,16 @@ void for_moving(const ContactConstraint& c, std::span<const SolverBody> bodies, 
 
 /// Leaves out impacts that come later than another one of the same body: after that one, the body
 /// moves elsewhere. The others get their share: 1 / the number of impacts of one of its bodies.
-void keep_first(std::vector<PairImpact>& impacts, std::span<const ContactConstraint> constraints,
-                std::span<const SolverBody> bodies, std::span<FirstImpact> first) {
+void keep_first(std::vector<PairImpact>& impacts, std::span<const SolverBody> bodies,
+                std::span<FirstImpact> first) {
     constexpr float same = 1e-4f;
     for (const PairImpact& impact : impacts)
-        for_moving(constraints[impact.constraint], bodies,
-                   [&](uint32_t body) { first[body] = {}; });
+        for_moving(impact.contact, bodies, [&](uint32_t body) { first[body] = {}; });
     for (const PairImpact& impact : impacts)
-        for_moving(constraints[impact.constraint], bodies,
+        for_moving(impact.contact, bodies,
                    [&](uint32_t body) { first[body].time = min(first[body].time, impact.time); });
     std::erase_if(impacts, [&](const PairImpact& impact) {
-        const ContactConstraint& c = constraints[impact.constraint];
+        const ContactConstraint& c = impact.contact;
         bool later = false;
         for_moving(c, bodies,
                    [&](uint32_t body) { later |= impact.time > first[body].time + same; });
@@ -261,31 +340,29 @@ void keep_first(std::vector<PairImpact>& impacts, std::span<const ContactConstra
 /// a narrow wedge such rounds would take long, so the last ones are one after the other. What is
 /// missing at the end is left to the next pass, which bounces it: after n rounds this is worth
 /// about eⁿ with the restitution e, and no less than `least_worth`.
-void solve_together(std::vector<PairImpact>& impacts,
-                    std::span<const ContactConstraint> constraints, std::span<SolverBody> bodies,
+void solve_together(std::vector<PairImpact>& impacts, std::span<SolverBody> bodies,
                     std::span<const FirstImpact> first) {
     constexpr int rounds_together = 12, rounds_in_all = 60;
     std::vector<PairImpact*> shared;  // Alone, an impact is exact after the first round.
     for (PairImpact& impact : impacts) {
-        const ContactConstraint& c = constraints[impact.constraint];
+        const ContactConstraint& c = impact.contact;
         uint32_t count = 1;
         for_moving(c, bodies, [&](uint32_t body) { count = max(count, first[body].count); });
         impact.share = 1.0f / float(count);
-        impact.approach(c, bodies, impact.share);
+        impact.approach(bodies, impact.share);
         if (count > 1) shared.push_back(&impact);
     }
-    for (PairImpact& impact : impacts) impact.add(constraints[impact.constraint], bodies);
+    for (PairImpact& impact : impacts) impact.add(bodies);
     for (int round = 1; round < rounds_in_all && !shared.empty(); ++round) {
         const bool in_turn = round >= rounds_together;
         bool any = false;
         for (PairImpact* const impact : shared) {
-            const ContactConstraint& c = constraints[impact->constraint];
-            any |= impact->approach(c, bodies, in_turn ? 1.0f : impact->share);
-            if (in_turn) impact->add(c, bodies);
+            any |= impact->approach(bodies, in_turn ? 1.0f : impact->share);
+            if (in_turn) impact->add(bodies);
         }
         if (!any) return;
         for (PairImpact* const impact : shared)
-            if (!in_turn) impact->add(constraints[impact->constraint], bodies);
+            if (!in_turn) impact->add(bodies);
         std::erase_if(shared, [&](PairImpact* impact) {
             impact->worth *= impact->restitution;
             return impact->worth < least_worth;
@@ -327,12 +404,15 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         for (int k = 0; k < c.count; ++k) extra.approach[k] = velocity_at(c, k, a, b);
         // Most contacts of a heap only pass small speeds on. Their forces are not read.
         if (!is_fast(extra, restitution_threshold)) continue;
-        Meeting meeting(c, extra, a, b, forces[c.a], forces[c.b], substeps, dt,
-                        restitution_threshold);
-        if (!meeting.any()) continue;
+        const SolverForce &fa = forces[c.a], &fb = forces[c.b];
+        const auto impact = at_impact(c, extra, a, b, dt);
+        if (!impact) continue;
+        const ContactConstraint& met = impact->contact;
         const bool jointed = joints != nullptr && joints->acts_on(c.a, c.b);
+        Meeting meeting(*impact, extra, a, b, fa, fb, substeps, dt, restitution_threshold, jointed);
+        if (!meeting.any()) continue;
         if (!jointed && extra.restitution >= least_worth) {
-            impacts.push_back(PairImpact(i, c, extra, meeting));
+            impacts.push_back(PairImpact(i, met, extra, meeting));
             // Also if it is left out of this pass: the next one looks at it again.
             mark(c.a);
             mark(c.b);
@@ -341,7 +421,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         const auto apply = [&](const PointResponse& response) {
             const Bounce bounce(response, meeting.wanted, meeting.meets);
             for (int k = 0; k < c.count; ++k) {
-                push(c, k, bounce.impulses[k], bodies);
+                push(met, k, bounce.impulses[k], bodies);
                 record(extra, k, bounce.impulses[k]);
             }
             any = true;
@@ -350,11 +430,11 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
             return bounce;
         };
         if (!jointed) {
-            apply(PointResponse(c));
+            apply(PointResponse(met));
             continue;
         }
-        const JointedResponse response(c, joints);
-        meeting.yield_to_joints(c, extra, response, *joints, bodies, restitution_threshold);
+        const JointedResponse response(met, joints);
+        meeting.yield_to_joints(met, extra, response, *joints, bodies, restitution_threshold);
         if (!meeting.any()) continue;
         const Bounce bounce = apply(response);
         for (int k = 0; k < c.count; ++k)
@@ -362,8 +442,8 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
                 joints->apply(response.reactions[k], double(bounce.impulses[k]), bodies, mark);
     }
     if (impacts.empty()) return any;
-    keep_first(impacts, constraints, bodies, bounced.first);
-    solve_together(impacts, constraints, bodies, bounced.first);
+    keep_first(impacts, bodies, bounced.first);
+    solve_together(impacts, bodies, bounced.first);
     for (const PairImpact& impact : impacts) {
         const ContactConstraint& c = constraints[impact.constraint];
         for (int k = 0; k < c.count; ++k) record(extras[c.extra - 1], k, impact.impulses[k]);
@@ -377,10 +457,15 @@ bool ContactSolver::bounces_later(const ContactConstraint& c) const {
     bool fast = false;
     for (int k = 0; k < c.count; ++k) {
         const ConstraintPoint& p = c.points[k];
-        const float gap = p.separation + dot(c.normal, b.shift - a.shift) +
-                          (p.normal_lever_b * b.turn - p.normal_lever_a * a.turn);
+        const float velocity = velocity_at(c, k, a, b);
+        const float opened = dot(c.normal, b.shift - a.shift) +
+                             (p.normal_lever_b * b.turn - p.normal_lever_a * a.turn);
+        float gap = p.separation + opened;
+        if (const Corner* const corner = corner_of(c); corner != nullptr && c.count == 1)
+            gap +=
+                path_around(*corner, c.normal, a, b, PairMotion(a, b), opened, velocity, 0.0f).gap;
         if (!(gap > 0.0f)) return false;
-        fast |= velocity_at(c, k, a, b) < -restitution_threshold;
+        fast |= velocity < -restitution_threshold;
     }
     return fast;
 }

@@ -103,6 +103,20 @@ void assign_extras(SingleContacts& contacts) {
     contacts.rolling_contacts.resize(rolling);
 }
 
+/// True if a dynamic body of the contact is beside something else, too.
+bool is_supported(const ObjectState& objects, uint32_t contact) {
+    const auto is_beside_more = [&](uint32_t body) {
+        if (objects.bodies[body].mobility != Mobility::dynamic) return false;
+        return objects.any_contact(objects.bodies[body].lists.first_contact, none,
+                                   [&](uint32_t other) {
+                                       const ContactRecord& c = objects.contacts[other];
+                                       return other != contact && !c.sensor && c.manifold.count > 0;
+                                   });
+    };
+    const ContactRecord& c = objects.contacts[contact];
+    return is_beside_more(c.body_a) || is_beside_more(c.body_b);
+}
+
 void prepare_extra_of(size_t single, const ObjectState& objects, const Columns& columns,
                       std::span<const SolverBody> bodies, bool in_impact, SingleContacts& contacts,
                       float ratio) {
@@ -111,7 +125,10 @@ void prepare_extra_of(size_t single, const ObjectState& objects, const Columns& 
     ContactExtra& extra = contacts.extras[c.extra - 1];
     prepare_extra(record, c, bodies[c.a], bodies[c.b], ratio, extra);
     extra.in_impact = in_impact;
-    if ((contacts.flags[single] & passes) != 0) extra.corner = corner_of(objects, record);
+    if ((contacts.flags[single] & passes) != 0) {
+        extra.corner = corner_of(objects, record);
+        extra.supported = is_supported(objects, c.contact);
+    }
     if (extra.rolling == 0) return;
     const auto radius = [&](uint32_t shape, Vec2 normal) {
         return radius_of_curvature(solid_of(objects, columns, shape), normal);

@@ -6,9 +6,11 @@
 // Impacts of moving bodies with each other: of bullets with all bodies, and of kinematic bodies
 // with dynamic bodies. The impacts are processed in the order of time. Each changes the motions of
 // two bodies for the rest of the step; then the impacts of these bodies are computed again. An
-// impact changes no velocity, except that it undoes the forces of the time that it removes: the
-// next step finds contacts. Only where the centroid of a body is at a dynamic obstacle already, an
-// impulse stops their approach, because the contact of a thin body that turns fast cannot.
+// impact of dynamic bodies changes no velocity, except that it undoes the forces of the time that
+// it removes: the next step finds contacts. A kinematic body may stand still then, so what it hits
+// gets its velocity at once (kinematic_hits.cpp). Only where the centroid of a body is at a dynamic
+// obstacle already, an impulse stops their approach, because the contact of a thin body that turns
+// fast cannot.
 // - Two dynamic bodies stop. One that is neither fast nor a bullet goes on, and the other one keeps
 //   its place beside it.
 // - A kinematic body (`driven`) does not stop. It carries the other body along, and the bodies that
@@ -33,8 +35,10 @@ struct Mover {
     uint32_t place = none;  ///< in the list of fast bodies
     uint32_t version = 0;
     uint32_t carrier = none;  ///< the body that carries it along
+    uint32_t hit_by = none;   ///< the kinematic body that reached it within the step
     int slides = 0;           ///< how often it slid along another body
     bool driven = false;
+    bool slow = false;     ///< a driven body that meets only what is fast seen from it
     bool stops = false;    ///< at other dynamic bodies
     bool blocked = false;  ///< by a fixed obstacle
     bool changed = false;
@@ -87,6 +91,9 @@ class MovingImpacts {
                 meet(mover(next.a), mover(next.b), next);
         }
         place_changed_bodies();
+        for (const Mover& mover : movers_)
+            if (mover.hit_by != none && mover.hit_by == mover.carrier && !mover.blocked)
+                hit_by_kinematic(in_, mover.hit_by, mover.body);
     }
 
   private:
@@ -109,6 +116,7 @@ class MovingImpacts {
         mover.motion = mover.whole = motion;
         mover.stops = record(body).flags.bullet;
         mover.driven = record(body).mobility == Mobility::kinematic;
+        mover.slow = mover.driven && !(way_of(motion, record(body)) > near_motion(record(body)));
         mover.box = swept_boxes(mover, 0.0f);
         return mover;
     }
@@ -127,6 +135,18 @@ class MovingImpacts {
             if (in_.objects.is_solid(s) && !in_.objects.shapes[s].surface.sensor) visit(s);
     }
 
+    /// The greatest way of a point of a body with this motion, m.
+    static float way_of(const Motion& motion, const BodyRecord& body) {
+        return length(motion.velocity) + std::fabs(motion.turn) * (body.extent - body.thickness);
+    }
+    /// True if a body without a contact with the slow driven body may reach it in this step.
+    bool may_reach(uint32_t body, const Mover& driven) const {
+        Motion seen = motion_of(body);
+        const Vec2 apart = seen.center(1.0f) - driven.motion.center(1.0f);
+        seen.velocity = seen.velocity - driven.motion.velocity - cross(driven.motion.turn, apart);
+        seen.turn -= driven.motion.turn;
+        return way_of(seen, record(body)) > least_hit_motion(record(body));
+    }
     /// True if the motions of the two bodies are compared.
     bool are_compared(const Mover& mover, uint32_t other) const {
         if (other == mover.body) return false;
@@ -150,7 +170,8 @@ class MovingImpacts {
         for_each_shape(mover.body, [&](uint32_t s) {
             in_.boxes.moving_tree.query(swept_box(in_, s, mover.motion, now), [&](uint32_t other) {
                 const uint32_t body = in_.objects.forms[other].body;
-                if (mover_of_[body] == none && are_compared(mover, body))
+                if (mover_of_[body] == none && are_compared(mover, body) &&
+                    (!mover.slow || may_reach(body, mover)))
                     compare(mover, s, other, now);
             });
         });
@@ -160,6 +181,7 @@ class MovingImpacts {
             // Of two bodies that search for each other, the first one finds the second one.
             if (first && k < i && (other.driven || record(other.body).flags.bullet)) continue;
             if (!overlap(mover.box, other.box) || !are_compared(mover, other.body)) continue;
+            if (mover.slow && first && !may_reach(other.body, mover)) continue;
             for_each_shape(mover.body, [&](uint32_t s) {
                 for_each_shape(other.body, [&](uint32_t o) {
                     if (overlap(swept_box(in_, s, mover.motion, now),
@@ -218,6 +240,7 @@ class MovingImpacts {
         if (second.blocked) {
             if (!first.driven) stop(i, now, true);
         } else if (rank(k) == 0) {
+            if (first.driven && meeting.normal == Vec2{}) hit(k, carrier, now);
             carry(k, carrier, now, first.driven ? meeting.normal : Vec2{});
         } else if (second.carrier != carrier) {
             stop(k, now, true);  // it is between two driven bodies
@@ -290,6 +313,12 @@ class MovingImpacts {
         if (!motion.moves_after(now)) return;
         undo_forces(in_, movers_[i].body, motion.until - now);
         change(i, at_rest(motion.center(now), float(motion.rotation(now))), now);
+    }
+    /// The body had no contact with the kinematic body in this step, and meets it now.
+    void hit(size_t i, uint32_t kinematic, float now) {
+        movers_[i].hit_by = kinematic;
+        if (record(movers_[i].body).solver_index != 0)
+            undo_forces(in_, movers_[i].body, max(movers_[i].motion.until - now, 0.0f));
     }
     /// The body is carried along: it turns with the carrier and goes no nearer to it. `normal`:
     /// from the carrier to the body; the body keeps its motion along the surface and away from it.

@@ -4,6 +4,7 @@
 #include <sleep/sleep.h>
 #include <state/limits.h>
 #include <state/step_scratch.h>
+#include <state/velocity_sums.h>
 #include <state/world_state.h>
 #include <threads/pool.h>
 
@@ -27,9 +28,11 @@ struct FinishInput {
     Activity activity;
     Events& later;  ///< events of the next step
     UserFilter filter;
-    bool skips;  ///< contacts that touch may not act: callbacks, crushed bodies
+    UserDecision decision;  ///< about contacts that begin within the step
+    bool skips;             ///< contacts that touch may not act: callbacks, crushed bodies
     StepStatistics& statistics;
     ThreadPool* threads;
+    std::span<VelocitySums> sums;  ///< for accounts
 };
 
 /// Returns the number of bodies that have rested long enough to sleep.
@@ -55,6 +58,15 @@ inline Motion motion_to(const Position& center, Vec2 shift, float turn) {
 inline float near_motion(const BodyRecord& body) {
     if (body.thickness < speculative_margin) return max(0.05f * body.thickness, 0.0002f);
     return max(0.5f * body.thickness, speculative_margin);
+}
+
+/// Less relative motion brings no body to a kinematic one with which it had no contact.
+inline float least_hit_motion(const BodyRecord& body) {
+    return min(near_motion(body), speculative_margin);
+}
+/// A kinematic body that moves less than this is not compared with bodies that are not fast.
+inline float least_driven_motion(const BodyRecord& kinematic) {
+    return min(near_motion(kinematic), 0.5f * speculative_margin);
 }
 
 /// Places the shapes of a body, and gives new fat boxes to shapes that left theirs.

@@ -27,6 +27,9 @@ constexpr float centroid_gap = 0.0001f;
 /// An arc is followed in chords of this angle, rad.
 constexpr float chord_turn = 0.05f;
 
+/// Distance from a kinematic body at arrival, m: the normal must be that of the impact.
+constexpr float hit_gap = 0.0005f;
+
 /// A shape that is nearer to an obstacle than this at the start of a step had a contact in it, m.
 constexpr float contact_gap = 0.5f * speculative_margin;
 
@@ -47,7 +50,8 @@ class Obstacle {
         return is_border_ ? time_of_impact(shape, plane_.normal, plane_.depth, gap, now_)
                           : time_of_impact(shape, obstacle_, gap, now_);
     }
-    bool is_beside(const Sweep& shape) const { return !(time_of(shape, contact_gap) > now_); }
+    bool is_beside(const Sweep& shape) const { return is_within(shape, contact_gap); }
+    bool is_within(const Sweep& shape, float gap) const { return !(time_of(shape, gap) > now_); }
     /// The direction from the obstacle to the shape at time `t`; zero if they overlap.
     Vec2 direction_to(const Sweep& shape, float t) const {
         if (is_border_) return plane_.normal;
@@ -151,6 +155,14 @@ bool is_driven(const FinishInput& in, uint32_t shape) {
     return in.objects.bodies[in.objects.forms[shape].body].mobility == Mobility::kinematic;
 }
 
+/// True if the body had a contact at the beginning of the step.
+bool had_contact(const FinishInput& in, const BodyRecord& body) {
+    return in.objects.any_contact(body.lists.first_contact, none, [&](uint32_t contact) {
+        const ContactRecord& c = in.objects.contacts[contact];
+        return !c.sensor && c.manifold.count > 0;
+    });
+}
+
 }  // namespace
 
 Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, uint32_t other,
@@ -168,6 +180,18 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
     const Sweep swept = {shape, motion, body.extent};
     const bool is_carried = is_driven(in, s) || is_driven(in, other);
     const float inner = inner_radius(shape, centroid);
+    if (is_driven(in, other) && !obstacle.is_within(swept, speculative_margin)) {
+        // The solver knew nothing of the two. Of a body that lies or slides on something, a core
+        // counts that resting contacts do not reach.
+        Impact impact;
+        const float arrival = obstacle.time_of(swept, hit_gap);
+        if (arrival >= 1.0f) return impact;
+        const bool any = inner <= least_depth || !had_contact(in, body);
+        const Core core(shape, centroid, any ? 0.0f : least_depth);
+        if (any || obstacle.time_of({core.solid(), motion, body.extent}, hit_gap) < 1.0f)
+            impact.time = arrival;
+        return impact;
+    }
     const float gap = min(arrival_gap, 0.05f * inner);
     for (const float part : core_depths) {
         const float depth = max(part * inner, least_depth);

@@ -59,6 +59,12 @@ void put_back_joined(const FinishInput& in);
 /// along.
 void meet_moving_bodies(const FinishInput& in);
 
+// kinematic_hits.cpp
+
+/// Gives a body the velocity of one impact with a kinematic body beside it. Both have the poses of
+/// the end of the step, and the states have the velocities at the impact.
+void hit_by_kinematic(const FinishInput& in, uint32_t kinematic, uint32_t body);
+
 // sensor_crossings.cpp
 
 /// Reports the sensors that fast bodies moved through within the step.

@@ -67,6 +67,13 @@ UserFilter WorldData::user_filter() const {
             }};
 }
 
+UserDecision WorldData::user_decision() {
+    if (!self.has_contact_callbacks()) return {};
+    return {this, [](void* world, uint32_t contact) {
+                return static_cast<WorldData*>(world)->callbacks_let_act(contact);
+            }};
+}
+
 namespace {
 
 /// A callback disables a contact for one step only.
@@ -135,6 +142,33 @@ class ContactCallbacks {
                 if (answered) accept(parts_of(i), before, edit);
             });
         ignored_.report();
+    }
+
+    /// Asks about one contact, which began within the step. False if it does not act.
+    bool let_act(uint32_t slot) {
+        const auto ask = [&](const char* name, const ContactCallback& function, Answer::To to,
+                             auto&& accept_answer) {
+            call_all(
+                1, name, function, [&](uint32_t) { return edit_of(world_.contacts[slot]); },
+                [&](uint32_t, const ContactEdit&, const ContactEdit& edit, bool answered) {
+                    record_answer(edit, to, answered);
+                    if (!answered) return;
+                    accept(world_.contacts[slot], edit, nullptr, name);
+                    accept_answer(edit);
+                });
+        };
+        if (world_.self.mix)
+            ask(in_mixing, world_.self.mix, Answer::To::mixing, [](const ContactEdit&) {});
+        if (world_.self.before_solve && may_call(world_.contacts[slot]))
+            ask(in_before_solve, world_.self.before_solve, Answer::To::before_solve,
+                [&](const ContactEdit& edit) {
+                    if (edit.ignored)
+                        world_.ignored_pairs.push_back({edit.shape_a.id(), edit.shape_b.id()});
+                    if (!edit.enabled || edit.ignored)
+                        skip_contact(world_.touching(), slot, Skipped::by_callback);
+                });
+        ignored_.report();
+        return world_.contacts[slot].acts();
     }
 
     /// Disables the contacts of the ignored pairs, and removes the pairs that have separated.
@@ -334,6 +368,10 @@ void WorldData::call_contact_callbacks() {
     contact_callbacks.mix_all();
     contact_callbacks.skip_ignored();
     contact_callbacks.before_solve_all();
+}
+
+bool WorldData::callbacks_let_act(uint32_t contact) {
+    return ContactCallbacks(*this).let_act(contact);
 }
 
 void remix_all(WorldData& data) {

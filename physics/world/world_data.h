@@ -72,6 +72,8 @@ struct WorldData : WorldState, StepScratch {
 
     bool callback_agrees(uint32_t shape_a, uint32_t shape_b) const;
     UserFilter user_filter() const;
+    UserDecision user_decision();
+    bool callbacks_let_act(uint32_t contact);
     bool may_collide(uint32_t shape_a, uint32_t shape_b) const {
         return detail::may_collide(*this, user_filter(), shape_a, shape_b);
     }

@@ -85,6 +85,42 @@ TEST_CASE("a ball bounces for a minute as high as it fell") {
     }
 }
 
+TEST_CASE("a body bounces to the square of its restitution of the height of its fall") {
+    double least = 9, most = 0;
+    for (unsigned seed = 0; seed < seeds_or(400); ++seed) {
+        Random random{std::mt19937(seed)};
+        const float rates[] = {30, 60, 144}, rate = rates[seed % 3];
+        const float height = random(1, 10), restitution = random(0.15f, 1);
+        const float wanted = restitution * restitution * height;
+        if (wanted < 0.08f) continue;  // the gap from which a contact acts is 2 cm
+        World world({.sleeping = false});
+        world.create_body({.type = BodyType::static_body})
+            .add(Box{.width = 100, .height = 2, .center = {0, -1}});
+        const float radius = random(0.15f, 0.5f);
+        Body body = world.create_body({.position = {0, height + radius}});
+        const ShapeDef surface = {.friction = 0, .restitution = restitution};
+        if (seed % 2)
+            body.add(Circle{radius}, surface);
+        else
+            body.add(Box{.width = 2 * radius, .height = 2 * radius}, surface);
+        float top = 0;
+        bool rises = false;
+        for (int i = 0; i < int(4 * rate); ++i) {
+            world.step(1 / rate);
+            if (rises && body.velocity().y < 0) break;
+            rises = rises || body.velocity().y > 0;
+            if (rises) top = std::max(top, float(body.position().y) - radius);
+        }
+        INFO("seed " << seed << ", " << rate << " steps a second, restitution " << restitution
+                     << ", height " << height);
+        CHECK(top > 0.97f * wanted);
+        CHECK(top < 1.1f * wanted);
+        least = std::min(least, double(top / wanted));
+        most = std::max(most, double(top / wanted));
+    }
+    std::printf("bounces reach %.3f to %.3f of their height\n", least, most);
+}
+
 TEST_CASE("a small ball that falls fast bounces for a minute as high as it fell") {
     // The ball moves farther than its own size within a step, so it is put back to where it met the
     // ground.
