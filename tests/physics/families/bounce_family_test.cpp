@@ -113,8 +113,9 @@ TEST_CASE("a body bounces to the square of its restitution of the height of its 
         }
         INFO("seed " << seed << ", " << rate << " steps a second, restitution " << restitution
                      << ", height " << height);
-        CHECK(top > 0.97f * wanted);
-        CHECK(top < 1.1f * wanted);
+        CHECK(top > (rate < 60 ? 0.9f : 0.95f) * wanted);
+        // At 30 steps a second a body may be deep in the ground, which pushes it out.
+        CHECK(top < (rate < 60 ? 1.25f : 1.08f) * wanted);
         least = std::min(least, double(top / wanted));
         most = std::max(most, double(top / wanted));
     }
