@@ -393,6 +393,21 @@ PROJECT
     [[ $end != *"FAILED   tree"* ]] || wrong "a bound is not a test"
 }
 
+case_the_full_check_tries_the_other_hosts() {
+    mkdir -p "$project/tests/hosts"
+    cat >"$project/tests/hosts/run.sh" <<'HOSTS'
+#!/usr/bin/env bash
+[[ $1 != --list ]] || { echo raft; exit; }
+echo "the $1 leaks"
+exit 1
+HOSTS
+    chmod +x "$project/tests/hosts/run.sh"
+    run "$project/check" --full
+    expect_status 1
+    expect_output "the raft leaks"
+    expect_output "FAILED   hosts: raft"
+}
+
 case_a_broken_build_fails_the_check() {
     echo 'message(FATAL_ERROR "no such library")' >>"$project/CMakeLists.txt"
     run "$project/check"
