@@ -54,7 +54,8 @@ TEST_CASE("a target at the own pose wakes nothing") {
 TEST_CASE("an invalid target is refused and changes nothing") {
     World world;
     Body body = add_ball(world, {0, 0});
-    REQUIRE_THROWS_WITH(body.set_target({{1, 1}}, 0), contains("dt = 0: expected a finite number above 0"));
+    REQUIRE_THROWS_WITH(body.set_target({{1, 1}}, 0),
+                        contains("dt = 0: expected a finite number above 0"));
     REQUIRE_THROWS_WITH(body.set_target({{1, 1}}, -1), contains("dt"));
     REQUIRE_THROWS_WITH(body.set_target({{NAN, 1}}, 1), contains("target"));
     REQUIRE(body.velocity() == Vec2{});
