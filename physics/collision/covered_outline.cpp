@@ -233,8 +233,8 @@ const Solid* CoveredOutline::polygon_for(const Solid& other, Vec2 to_other) {
         const Turn own = own_turn(i);
         changed = changed || turn.before.x != own.before.x || turn.before.y != own.before.y ||
                   turn.after.x != own.after.x || turn.after.y != own.after.y;
-        limits_[size_t(2 * i)] = turn.before;
-        limits_[size_t(2 * i + 1)] = turn.after;
+        limits_[2 * size_t(i)] = turn.before;
+        limits_[2 * size_t(i) + 1] = turn.after;
     }
     if (!changed) return nullptr;
     piece_ = {form, FormKind::piece, {}, limits_.data(), form.normals};
