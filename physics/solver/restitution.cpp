@@ -146,7 +146,7 @@ struct AtImpact {
 
 /// Nothing if the bodies pass each other at a corner. Forces do not count: a wheel that the ground
 /// carries does not fall before the next seam. It lies a little below the corners of the seams,
-/// though, and a ball that flies does not: of what touches something else, too, only the corners
+/// though, and a ball that flies does not: of what is at a face of something else only the corners
 /// that are in its way at the end of the step count, with the normal of the beginning.
 std::optional<AtImpact> at_impact(const ContactConstraint& c, const ContactExtra& extra,
                                   const SolverBody& a, const SolverBody& b, float dt) {

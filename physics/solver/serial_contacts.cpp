@@ -103,14 +103,15 @@ void assign_extras(SingleContacts& contacts) {
     contacts.rolling_contacts.resize(rolling);
 }
 
-/// True if a dynamic body of the contact is beside something else, too.
+/// True if a dynamic body of the contact is at a face of something else, too.
 bool is_supported(const ObjectState& objects, uint32_t contact) {
     const auto is_beside_more = [&](uint32_t body) {
         if (objects.bodies[body].mobility != Mobility::dynamic) return false;
         return objects.any_contact(objects.bodies[body].lists.first_contact, none,
                                    [&](uint32_t other) {
                                        const ContactRecord& c = objects.contacts[other];
-                                       return other != contact && !c.sensor && c.manifold.count > 0;
+                                       return other != contact && !c.sensor &&
+                                              c.manifold.count > 0 && c.manifold.corner == 0.0f;
                                    });
     };
     const ContactRecord& c = objects.contacts[contact];
