@@ -30,7 +30,7 @@ constexpr T absolute(T x) {
 /// False for infinities and NaN: their difference to themselves is not 0.
 template <class T>
 constexpr bool finite(T x) {
-    return x - x == 0;
+    return x - x == 0;  // NOLINT: see above
 }
 
 }  // namespace fettle::detail
