@@ -97,7 +97,7 @@ struct ContactExtra {
     uint32_t rolling = 0;  ///< index + 1 of a contact of curved surfaces; 0: none
     float restitution = 0.0f;
     bool in_impact = false;  ///< its impact is computed before the sub-steps
-    bool supported = false;  ///< one of its bodies is at a face of something else
+    bool supported = false;  ///< in an impact: one of its bodies is at a face of something else
     float rolling_resistance =
         0.0f;  ///< m: the greatest angular impulse divided by the normal impulse
     float rolling_mass = 0.0f;

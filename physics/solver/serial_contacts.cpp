@@ -128,7 +128,8 @@ void prepare_extra_of(size_t single, const ObjectState& objects, const Columns& 
     extra.in_impact = in_impact;
     if ((contacts.flags[single] & passes) != 0) {
         extra.corner = corner_of(objects, record);
-        extra.supported = is_supported(objects, c.contact);
+        // Only a bounce reads it, and the walk through the contacts takes long.
+        extra.supported = in_impact && extra.restitution > 0.0f && is_supported(objects, c.contact);
     }
     if (extra.rolling == 0) return;
     const auto radius = [&](uint32_t shape, Vec2 normal) {

@@ -92,12 +92,19 @@ class MovingImpacts {
         }
         place_changed_bodies();
         for (const Mover& mover : movers_)
-            if (mover.hit_by != none && mover.hit_by == mover.carrier && !mover.blocked)
+            if (mover.hit_by != none && mover.hit_by == mover.carrier && !mover.blocked &&
+                moves(mover.hit_by))
                 hit_by_kinematic(in_, mover.hit_by, mover.body);
     }
 
   private:
     const BodyRecord& record(uint32_t body) const { return in_.objects.bodies[body]; }
+    /// False for a kinematic body at rest. What reaches it is pushed in the next step, as by a
+    /// fixed one, when all shapes that lie flush beside each other are known.
+    bool moves(uint32_t body) const {
+        const BodyState& state = in_.columns.states[body];
+        return state.velocity != Vec2{} || state.angular_velocity != 0.0f;
+    }
     uint32_t version_of(uint32_t body) const {
         return mover_of_[body] == none ? 0 : movers_[mover_of_[body]].version;
     }
