@@ -12,7 +12,7 @@ namespace fettle::physics::detail {
 namespace {
 
 /// Number of fast bodies in a task of a thread.
-constexpr size_t bodies_at_a_time = 16;
+constexpr size_t crossed_bodies_at_a_time = 16;
 /// A sensor detects a shape that comes as near as this part of the extent of the smaller body.
 constexpr float crossing_gap = 1e-4f;
 
@@ -106,9 +106,9 @@ void report_crossings(const FinishInput& in) {
     std::vector<uint32_t>& mover_of = in.scratch.mover_of;
     mover_of.resize(in.objects.bodies.size(), none);
     for (size_t i = 0; i < fast.size(); ++i) mover_of[fast[i].body] = uint32_t(i);
-    pieces.resize((fast.size() + bodies_at_a_time - 1) / bodies_at_a_time);
-    parallel_for(in.threads, fast.size(), bodies_at_a_time, [&](size_t begin, size_t end) {
-        std::vector<Crossing>& found = pieces[begin / bodies_at_a_time];
+    pieces.resize((fast.size() + crossed_bodies_at_a_time - 1) / crossed_bodies_at_a_time);
+    parallel_for(in.threads, fast.size(), crossed_bodies_at_a_time, [&](size_t begin, size_t end) {
+        std::vector<Crossing>& found = pieces[begin / crossed_bodies_at_a_time];
         found.clear();
         Search search(in, found);
         for (size_t i = begin; i < end; ++i) search.find_crossings(i);
