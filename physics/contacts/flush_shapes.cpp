@@ -111,7 +111,7 @@ void push_with_common_outline(const NarrowPhaseInput& in, uint32_t slot, const O
     if (pushed.count == 0 && is_inside(shape.form, middle_of(other) + to_other)) return;
     if (!first) swap_shapes(pushed);
     c.manifold = pushed;
-    for (int i = 0; i < pushed.count; ++i) before.give_impulses(c.manifold.points[i]);
+    before.give_impulses(c.manifold);
 }
 
 void drop_kept_beside(const NarrowPhaseInput& in, uint32_t slot) {

@@ -49,8 +49,9 @@ void keep_side(const ObjectState& objects, const Columns& columns, ContactRecord
 
 void update_manifold(const ObjectState& objects, const Columns& columns, const WorldDef& settings,
                      ContactRecord& c) {
-    const Manifold old = c.manifold;
     Manifold& m = c.manifold;
+    const Vec2 old_normal = m.normal;
+    const OldPoints old = OldPoints::of(m);
     m.count = 0;
     const ShapeForm &a = objects.forms[c.shape_a], &b = objects.forms[c.shape_b];
     const float margin = c.sensor ? 0.0f : speculative_margin;
@@ -60,16 +61,8 @@ void update_manifold(const ObjectState& objects, const Columns& columns, const W
     else
         collide_special_forms(objects, columns, settings, c, margin, old.count > 0, m);
     if (old.count > 0 && !c.sensor && c.skipped == Skipped::no && (is_segment(a) || is_segment(b)))
-        keep_side(objects, columns, c, margin, old.normal);
-    // A point with the same vertex and the same edge keeps its impulses for the warm start.
-    for (int i = 0; i < m.count; ++i) {
-        for (int k = 0; k < old.count; ++k) {
-            if (old.points[k].feature != m.points[i].feature) continue;
-            m.points[i].normal_impulse = old.points[k].normal_impulse;
-            m.points[i].tangent_impulse = old.points[k].tangent_impulse;
-            break;
-        }
-    }
+        keep_side(objects, columns, c, margin, old_normal);
+    old.give_impulses(m);
 }
 
 namespace {

@@ -39,6 +39,7 @@ void UnsettledContacts::add(std::span<const SolverBody> bodies, uint32_t a, uint
     contacts_.emplace_back(a, b);
     list(a);
     list(b);
+    // With a contact more, the row is too long.
     if (jointed) sizes_[a != 0 ? a : b] = longest_row;
 }
 

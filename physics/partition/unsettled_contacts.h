@@ -12,12 +12,13 @@
 // that lands up again. So contacts that a pass leaves unsettled are relaxed again, with all
 // contacts of the same bodies.
 //
-// Unsettled contacts that share a moving body are a row. A long row gets no more passes, and nor
-// does one in the middle of a heap, most of whose bodies' contacts are settled: they would take a
-// quarter of the step of a heap that is stirred, where nobody sees the impacts one by one. Nor does
-// a row with a jointed body, because its joints are not solved with the contacts, or with a
-// kinematic body in motion, because what it presses may have no solution. The rows do not depend on
-// the order of the contacts, nor on what is elsewhere in the world.
+// Unsettled contacts that share a moving body are a row. These rows get no more passes:
+// - long ones, and those in the middle of a heap, where most contacts of their bodies are settled:
+//   they would take a quarter of the step of a heap that is stirred, where nobody sees the impacts
+//   one by one;
+// - those with a jointed body, because its joints are not solved with the contacts;
+// - those with a kinematic body in motion, because what it presses may have no solution.
+// The rows do not depend on the order of the contacts, nor on what is elsewhere in the world.
 
 namespace fettle::physics::detail {
 

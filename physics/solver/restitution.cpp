@@ -102,8 +102,7 @@ float opening_at_corner(const ContactConstraint& c, const ContactExtra& extra, f
 /// on a straight path: until then they move along the tangent. The gap becomes that before the
 /// tangent plane of the impact. With the normal of the beginning, a glancing bounce would end
 /// another velocity than that with which the shapes meet, and lose speed. False if they pass.
-/// `approach` and `slip`: velocities of the cores along the normal and the
-/// tangent.
+/// `approach` and `slip`: velocities of the cores along the normal and the tangent.
 bool turn_to_impact(ContactConstraint& c, const Corner& corner, const SolverBody& a,
                     const SolverBody& b, float approach, float slip) {
     ConstraintPoint& p = c.points[0];

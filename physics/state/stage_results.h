@@ -52,12 +52,15 @@ struct OldPoints {
         return old;
     }
     /// A point with the same vertex and the same edge keeps its impulses for the warm start.
-    void give_impulses(ManifoldPoint& point) const {
-        for (int i = 0; i < count; ++i) {
-            if (features[i] != point.feature) continue;
-            point.normal_impulse = normal_impulses[i];
-            point.tangent_impulse = tangent_impulses[i];
-            return;
+    void give_impulses(Manifold& m) const {
+        for (int k = 0; k < m.count; ++k) {
+            ManifoldPoint& point = m.points[k];
+            for (int i = 0; i < count; ++i) {
+                if (features[i] != point.feature) continue;
+                point.normal_impulse = normal_impulses[i];
+                point.tangent_impulse = tangent_impulses[i];
+                break;
+            }
         }
     }
 };

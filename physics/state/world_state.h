@@ -106,6 +106,13 @@ struct ObjectState {
         }
     }
 
+    /// Visits the solid shapes of a body.
+    void for_each_solid_of(uint32_t body, auto&& visit) const {
+        for (uint32_t shape = bodies[body].lists.first_shape; shape != none;
+             shape = shapes[shape].next)
+            if (is_solid(shape)) visit(shape);
+    }
+
     void set_crowded(uint32_t shape, bool crowded) {
         crowded_shapes += uint32_t{crowded} - uint32_t{shapes[shape].crowded};
         shapes[shape].crowded = crowded;

@@ -91,20 +91,16 @@ class MovingImpacts {
                 meet(mover(next.a), mover(next.b), next);
         }
         place_changed_bodies();
+        // What reaches a kinematic body at rest is pushed in the next step, as by a fixed one, when
+        // all shapes that lie flush beside each other are known.
         for (const Mover& mover : movers_)
             if (mover.hit_by != none && mover.hit_by == mover.carrier && !mover.blocked &&
-                moves(mover.hit_by))
+                in_motion(in_.objects, in_.columns, mover.hit_by))
                 hit_by_kinematic(in_, mover.hit_by, mover.body);
     }
 
   private:
     const BodyRecord& record(uint32_t body) const { return in_.objects.bodies[body]; }
-    /// False for a kinematic body at rest. What reaches it is pushed in the next step, as by a
-    /// fixed one, when all shapes that lie flush beside each other are known.
-    bool moves(uint32_t body) const {
-        const BodyState& state = in_.columns.states[body];
-        return state.velocity != Vec2{} || state.angular_velocity != 0.0f;
-    }
     uint32_t version_of(uint32_t body) const {
         return mover_of_[body] == none ? 0 : movers_[mover_of_[body]].version;
     }
@@ -133,13 +129,10 @@ class MovingImpacts {
     }
     Box4 swept_boxes(const Mover& mover, float now) const {
         Box4 all = no_box;
-        for_each_shape(mover.body,
-                       [&](uint32_t s) { all = unite(all, swept_box(in_, s, mover.motion, now)); });
+        for_each_pushing(in_.objects, mover.body, [&](uint32_t s) {
+            all = unite(all, swept_box(in_, s, mover.motion, now));
+        });
         return all;
-    }
-    void for_each_shape(uint32_t body, auto&& visit) const {
-        for (uint32_t s = record(body).lists.first_shape; s != none; s = in_.objects.shapes[s].next)
-            if (in_.objects.is_solid(s) && !in_.objects.shapes[s].surface.sensor) visit(s);
     }
 
     /// The greatest way of a point of a body with this motion, m.
@@ -174,7 +167,7 @@ class MovingImpacts {
         const bool searches =
             mover.driven || record(mover.body).flags.bullet || mover.carrier != none;
         if (!searches && in_.objects.kinematic_bodies == 0 && in_.objects.bullets == 0) return;
-        for_each_shape(mover.body, [&](uint32_t s) {
+        for_each_pushing(in_.objects, mover.body, [&](uint32_t s) {
             in_.boxes.moving_tree.query(swept_box(in_, s, mover.motion, now), [&](uint32_t other) {
                 const uint32_t body = in_.objects.forms[other].body;
                 if (mover_of_[body] == none && are_compared(mover, body) &&
@@ -189,8 +182,8 @@ class MovingImpacts {
             if (first && k < i && (other.driven || record(other.body).flags.bullet)) continue;
             if (!overlap(mover.box, other.box) || !are_compared(mover, other.body)) continue;
             if (mover.slow && first && !may_reach(other.body, mover)) continue;
-            for_each_shape(mover.body, [&](uint32_t s) {
-                for_each_shape(other.body, [&](uint32_t o) {
+            for_each_pushing(in_.objects, mover.body, [&](uint32_t s) {
+                for_each_pushing(in_.objects, other.body, [&](uint32_t o) {
                     if (overlap(swept_box(in_, s, mover.motion, now),
                                 swept_box(in_, o, other.motion, now)))
                         compare(mover, s, o, now);

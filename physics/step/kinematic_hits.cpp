@@ -100,15 +100,10 @@ class Hit {
   private:
     BodyRecord& record() const { return in_.objects.bodies[body_]; }
 
-    void for_each_shape(uint32_t body, auto&& visit) const {
-        const std::vector<ShapeRecord>& shapes = in_.objects.shapes;
-        for (uint32_t s = in_.objects.bodies[body].lists.first_shape; s != none; s = shapes[s].next)
-            if (in_.objects.is_solid(s) && !shapes[s].surface.sensor) visit(s);
-    }
     void find_points() {
-        for_each_shape(body_, [&](uint32_t own) {
+        for_each_pushing(in_.objects, body_, [&](uint32_t own) {
             const Box4 around = grow(in_.boxes.boxes[own], speculative_margin);
-            for_each_shape(kinematic_, [&](uint32_t other) {
+            for_each_pushing(in_.objects, kinematic_, [&](uint32_t other) {
                 if (overlap(around, in_.boxes.boxes[other]) && may_meet(in_, own, other))
                     add_touch(own, other);
             });

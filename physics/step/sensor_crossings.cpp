@@ -22,7 +22,7 @@ class Search {
 
     void find_crossings(size_t place) {
         const FastBody& fast = in_.scratch.fast_bodies[place];
-        for_each_shape(fast.body, [&](uint32_t s) {
+        in_.objects.for_each_solid_of(fast.body, [&](uint32_t s) {
             const Box4 swept = swept_box(in_, s, fast.motion, 0.0f);
             const auto compare_with_slow = [&](uint32_t other) {
                 const uint32_t body = in_.objects.forms[other].body;
@@ -37,15 +37,10 @@ class Search {
 
   private:
     bool is_sensor(uint32_t shape) const { return in_.objects.shapes[shape].surface.sensor; }
-    void for_each_shape(uint32_t body, auto&& visit) const {
-        for (uint32_t s = in_.objects.bodies[body].lists.first_shape; s != none;
-             s = in_.objects.shapes[s].next)
-            if (in_.objects.is_solid(s)) visit(s);
-    }
     /// A fast body may be far from where it met the sensor, so that it is not found in the tree.
     void compare_with_fast(uint32_t sensor, const FastBody& fast, const Box4& swept) {
         for (const FastBody& other : in_.scratch.fast_bodies) {
-            for_each_shape(other.body, [&](uint32_t o) {
+            in_.objects.for_each_solid_of(other.body, [&](uint32_t o) {
                 if (!is_sensor(o) && overlap(swept, swept_box(in_, o, other.motion, 0.0f)))
                     compare(sensor, fast.motion, o, other.motion);
             });

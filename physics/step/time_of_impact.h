@@ -33,6 +33,13 @@ Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Mot
 /// A box around the shape on its way from `now` to 1.
 Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now);
 
+/// Visits the shapes of a body that push others: all solid ones but sensors.
+inline void for_each_pushing(const ObjectState& objects, uint32_t body, auto&& visit) {
+    objects.for_each_solid_of(body, [&](uint32_t shape) {
+        if (!objects.shapes[shape].surface.sensor) visit(shape);
+    });
+}
+
 /// False if the two shapes do not collide, or if their contact does not act.
 bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other);
 

@@ -50,6 +50,17 @@ std::vector<double> Layout::rows_of(const Widget& grid) const {
     return heights;
 }
 
+/// How much each column grows: as the widget in it that grows most.
+std::vector<double> Layout::growths_of(const Widget& grid) const {
+    std::vector<double> growths(grid.arranged.columns.size(), 0);
+    const std::vector<Row>& children = grid.arranged.children;
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        double& of_column = growths[i % growths.size()];
+        of_column = std::max(of_column, growth(widgets_[children[i]], 0));
+    }
+    return growths;
+}
+
 Vec2 Layout::natural_grid(Widget& widget, double width) {
     const double padding = padding_of(widget), spacing = spacing_of(widget);
     const std::vector<Row>& children = widget.arranged.children;
@@ -59,9 +70,7 @@ Vec2 Layout::natural_grid(Widget& widget, double width) {
     widths.assign(count, 0);
     const double room =
         std::max(0.0, width - 2 * padding - spacing * static_cast<double>(count - 1));
-    std::vector<double> growths(count, 0);
-    for (std::size_t i = 0; i < children.size(); ++i)
-        growths[i % count] = std::max(growths[i % count], growth(widgets_[children[i]], 0));
+    const std::vector<double> growths = growths_of(widget);
     const double shares = sum(growths, 0);
     const auto widen = [&](std::size_t i, double given) {
         widths[i % count] = std::max(widths[i % count], measure_cell(children[i], given).x);
@@ -98,9 +107,7 @@ void Layout::arrange_grid(Widget& widget, const Box& inner, const Box& clip) {
     if (children.empty() || widths.empty()) return;
     const std::vector<double> heights = rows_of(widget);
     const std::size_t count = widths.size();
-    std::vector<double> growths(count, 0);
-    for (std::size_t i = 0; i < children.size(); ++i)
-        growths[i % count] = std::max(growths[i % count], growth(widgets_[children[i]], 0));
+    const std::vector<double> growths = growths_of(widget);
     const double shares = sum(growths, 0);
     const bool stretch = widget.placing.align == "stretch";
     const double spare = std::max(0.0, inner.width() - sum(widths, spacing));

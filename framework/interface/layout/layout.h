@@ -65,6 +65,7 @@ class Layout {
     property::Vec2 natural_grid(Widget& widget, double width);
     property::Vec2 measure_cell(property::Row child, double width);
     std::vector<double> rows_of(const Widget& grid) const;
+    std::vector<double> growths_of(const Widget& grid) const;
     property::Vec2 natural_panel(Widget& widget, double width);
     double longest_word(const Widget& widget) const;
     double widest_text(Widget& row, double width, double needed);

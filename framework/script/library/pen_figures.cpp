@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include <fettle/property/thick_line.h>
+
 #include <library/pen_arguments.h>
 #include <lua/budget.h>
 #include <lua/exception_guard.h>
@@ -62,22 +64,14 @@ std::vector<Vec2> points_at(lua_State* L, int index, const std::string& what, st
     return points;
 }
 
-/// A line through the points, as parts of one figure: where they overlap, a translucent color is
-/// drawn once.
 void stroke(Painter& to, const std::vector<Vec2>& points, Color color, float width) {
     // No body and no instance has this number.
     constexpr std::uint64_t whole = ~std::uint64_t{0};
-    constexpr float thinnest_figure = 2, thinnest_translucent_figure = 4;  // px
-    const bool thin = width < (color.a >= 1 ? thinnest_figure : thinnest_translucent_figure);
     const double rounding = 0.5 * width / to.pixels_per_unit();
-    to.part_of(whole);
+    std::vector<property::LinePiece> pieces;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        if (thin)
-            to.line(points[i], points[i + 1], color, width);
-        else
-            to.polygon(std::array{points[i], points[i + 1]}, rounding,
-                       {.fill = color, .border = {0, 0, 0, 0}});
-    to.part_of(0);
+        pieces.push_back({points[i], points[i + 1], rounding});
+    property::draw_thick_line(to, whole, pieces, width, color);
 }
 
 /// Points of a circle from one angle to the other, such that it is seen as round.

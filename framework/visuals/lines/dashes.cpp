@@ -6,6 +6,7 @@
 
 namespace fettle::visuals {
 
+using property::LinePiece;
 using property::Painter;
 using property::Vec2;
 
@@ -67,7 +68,7 @@ void find_seen(const Painter& painter, const Vec2& a, const Vec2& b, const Stret
 }
 
 /// A dash that is shorter than the line is thick lies across it, so that it keeps its length.
-void add_dash(const Way& way, Stretch dash, double width, std::vector<Piece>& to) {
+void add_dash(const Way& way, Stretch dash, double width, std::vector<LinePiece>& to) {
     const double length = dash.to - dash.from;
     if (length < width) {
         const double middle = 0.5 * (dash.from + dash.to);
@@ -89,10 +90,10 @@ void add_dash(const Way& way, Stretch dash, double width, std::vector<Piece>& to
 
 }  // namespace
 
-std::optional<std::vector<Piece>> dashes(const Painter& painter, std::span<const Vec2> points,
-                                         double length, double width) {
+std::optional<std::vector<LinePiece>> dashes(const Painter& painter, std::span<const Vec2> points,
+                                             double length, double width) {
     const Way way(points);
-    std::vector<Piece> pieces;
+    std::vector<LinePiece> pieces;
     if (way.corners() < 2) return pieces;
     if (length * painter.pixels_per_unit() < least_pixels) return std::nullopt;
     std::vector<Stretch> seen;

@@ -1,29 +1,26 @@
 #include <lines/lines.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include <fettle/property/between_steps.h>
 #include <fettle/property/pose.h>
+#include <fettle/property/thick_line.h>
 #include <lines/dashes.h>
 #include <properties/properties.h>
 
 namespace fettle::visuals {
 
 using property::Handle;
+using property::LinePiece;
 using property::Painter;
 using property::Property;
 using property::Type;
 using property::Vec2;
 
 namespace {
-
-constexpr double thinnest_figure = 2;  // px; thinner lines have no round ends
-// px. The painter draws thinner lines of one whole without an overlap at their corners.
-constexpr double thinnest_translucent_figure = 4;
 
 std::vector<Property> line_properties() {
     return {
@@ -59,21 +56,9 @@ std::vector<Property> line_properties() {
     };
 }
 
-void draw_pieces(Painter& painter, Handle self, const std::vector<Piece>& pieces, double pixels,
-                 property::Color color) {
-    // All pieces are parts of one figure: where they overlap, a translucent color is drawn once.
-    // The highest bit distinguishes the number of the figure from numbers of bodies.
-    const std::uint64_t whole =
-        std::uint64_t{1} << 63 | std::uint64_t{self.generation} << 32 | self.index;
-    painter.part_of(whole);
-    const bool thin = pixels < (color.a >= 1 ? thinnest_figure : thinnest_translucent_figure);
-    for (const Piece& piece : pieces)
-        if (thin)
-            painter.line(piece.from, piece.to, color, static_cast<float>(std::max(1.0, pixels)));
-        else
-            painter.polygon(std::array{piece.from, piece.to}, piece.rounding,
-                            {.fill = color, .border = {0, 0, 0, 0}});
-    painter.part_of(0);
+/// The highest bit distinguishes the number of the figure from numbers of bodies.
+std::uint64_t figure_of(Handle self) {
+    return std::uint64_t{1} << 63 | std::uint64_t{self.generation} << 32 | self.index;
 }
 
 }  // namespace
@@ -107,9 +92,9 @@ void Lines::draw(const property::Tree& tree, Handle self, Painter& painter, doub
     const property::Blend blend = blend_of(read.in_place(of_.blend));
     if (blend != property::Blend::normal) painter.blend(blend);
     const double width = read.number(of_.width), pixels = width * painter.pixels_per_unit();
-    const double round = pixels < thinnest_figure ? 0 : width;
+    const double round = pixels < property::thinnest_round_line ? 0 : width;
     property::Color color = read.color(of_.color);
-    std::optional<std::vector<Piece>> pieces;
+    std::optional<std::vector<LinePiece>> pieces;
     if (const double dash = read.number(of_.dashed); dash > 0) {
         pieces = dashes(painter, points, dash, round);
         if (!pieces) color.a *= 0.5f;  // the mean of dashes and gaps
@@ -119,7 +104,7 @@ void Lines::draw(const property::Tree& tree, Handle self, Painter& painter, doub
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
             pieces->push_back({points[i], points[i + 1], 0.5 * width});
     }
-    draw_pieces(painter, self, *pieces, pixels, color);
+    property::draw_thick_line(painter, figure_of(self), *pieces, std::max(1.0, pixels), color);
     painter.pop();
 }
 
