@@ -109,7 +109,7 @@ class Through : public Check {
     }
 
     /// A kinematic body passes through what it crushes, which a static body pushes out first, also
-    /// through the others of a row.
+    /// through the others of a row and through joints.
     void record_held(const Moment& moment) {
         held_.resize(moment.after.size(), -1);
         const std::vector<bool> held = held_by_static(moment);

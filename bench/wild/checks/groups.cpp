@@ -59,7 +59,7 @@ bool is_wedged(const Moment& moment, const JointPlan& joint) {
 }  // namespace
 
 std::vector<bool> held_by_static(const Moment& moment) {
-    return connected(moment, {.contacts = true}, [&](std::size_t i) {
+    return connected(moment, {.contacts = true, .joints = true}, [&](std::size_t i) {
         const BodyNow& body = moment.after[i];
         return body.type == BodyType::static_body ||
                std::ranges::count(body.touched, the_world) > 0;

@@ -7,7 +7,8 @@
 
 namespace fettle::bench::wild {
 
-/// The bodies that touch a static body or the border of the world, directly or through others.
+/// The bodies that touch a static body or the border of the world, directly or through contacts and
+/// joints of others.
 std::vector<bool> held_by_static(const Moment& moment);
 
 /// The bodies that a kinematic body presses on or pulls at, directly or through others.
