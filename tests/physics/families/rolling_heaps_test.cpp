@@ -110,7 +110,7 @@ TEST_CASE("heaps of bodies that roll without loss come to rest") {
     unsigned awake = 0;
     for (unsigned seed = 0; seed < seeds; ++seed) awake += funnel_to_rest(seed, 20) >= 20;
     INFO(awake << " of " << seeds << " are awake");
-    CHECK(awake <= seeds / 5);
+    CHECK(awake <= (seeds + 4) / 5);  // rounded up: few seeds may have one, too
 }
 
 TEST_CASE("a ball rolls on in a bowl among few bodies at rest") {
