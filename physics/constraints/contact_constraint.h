@@ -16,6 +16,11 @@ inline constexpr float greatest_impulse = 1e30f;
 /// this, m/s: then other contacts of its bodies are not solved any more.
 inline constexpr float unsettling_change = 0.2f;
 
+/// The normal impulses of the two points of a contact are solved together, with this share of
+/// their coupling. With all of it, nothing would decide how two points of a body that cannot turn
+/// share the impulse. An impact leaves half of the rest, 1/2000 of its velocity.
+inline constexpr float coupled_share = 0.999f;
+
 /// What the last relax pass did to a contact.
 enum class Relaxed : uint8_t { left_out, settled, unsettled };
 

@@ -36,7 +36,8 @@ struct Row {
         }
         return {apart ? speculative : zero, mass, impulse};
     }
-    Wide total(Wide velocity) const { return greater(kept - mass * (velocity + bias), Wide{}); }
+    /// The impulse that the row alone wants; negative if it would have to pull.
+    Wide wanted(Wide velocity) const { return kept - mass * (velocity + bias); }
 };
 
 /// The result of a pass along the normals.
@@ -60,12 +61,16 @@ inline NormalPass solve_normals(WideContact& c, int at, Bodies& a, Bodies& b,
     const Wide v2 = approach + (qb * b.w - qa * a.w);
     const Row row1 = Row::make<biased>(p, at, s1, c, step);
     const Row row2 = Row::make<biased>(q, at, s2, c, step);
-    const Wide coupling = load(c.coupling_normal + at), half = splat(0.5f);
+    // See the scalar solver.
+    const Wide coupling = splat(coupled_share) * load(c.coupling_normal + at), zero = {};
     const Wide old1 = load(p.normal_impulse + at), old2 = load(q.normal_impulse + at);
-    const Wide first1 = row1.total(v1), first2 = row2.total(v2);
-    const Wide second1 = row1.total(v1 + coupling * (first2 - old2));
-    const Wide second2 = row2.total(v2 + coupling * (first1 - old1));
-    const Wide new1 = half * (first1 + second1), new2 = half * (first2 + second2);
+    const Wide alone1 = row1.wanted(v1 - coupling * old2);
+    const Wide alone2 = row2.wanted(v2 - coupling * old1);
+    const Wide k1 = row1.mass * coupling, k2 = row2.mass * coupling;
+    const Wide both1 = alone1 - k1 * alone2, both2 = alone2 - k2 * alone1;
+    const Wide share = splat(1.0f) / (splat(1.0f) - k1 * k2);
+    const Wide new1 = greater(both2 > zero ? share * both1 : alone1, zero);
+    const Wide new2 = greater(both1 > zero ? share * both2 : alone2, zero);
     store(p.normal_impulse + at, new1);
     store(q.normal_impulse + at, new2);
     const Wide i1 = new1 - old1, i2 = new2 - old2;

@@ -29,7 +29,8 @@ struct NormalRow {
         }
         return {0.0f, p.normal_mass, p.normal_impulse};
     }
-    float total(float velocity) const { return max(kept - mass * (velocity + bias), 0.0f); }
+    /// The impulse that the row alone wants; negative if it would have to pull.
+    float wanted(float velocity) const { return kept - mass * (velocity + bias); }
 };
 
 template <bool biased>
@@ -50,7 +51,7 @@ inline void solve_normals(ContactConstraint& c, const SolverBody& a, const Solve
             v1 += path.opening * inverse_h;
             s1 += path.gap;
         }
-        const float total = NormalRow::make<biased>(p, s1, soft, inverse_h, push_speed).total(v1);
+        const float total = max(NormalRow::make<biased>(p, s1, soft, inverse_h, push_speed).wanted(v1), 0.0f);
         const float impulse = total - p.normal_impulse;
         p.normal_impulse = total;
         pair.apply(n, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
@@ -62,11 +63,15 @@ inline void solve_normals(ContactConstraint& c, const SolverBody& a, const Solve
     const NormalRow row1 = NormalRow::make<biased>(p, s1, soft, inverse_h, push_speed);
     const NormalRow row2 = NormalRow::make<biased>(q, s2, soft, inverse_h, push_speed);
     const float old1 = p.normal_impulse, old2 = q.normal_impulse;
-    const float first1 = row1.total(v1), first2 = row2.total(v2);
-    const float second1 = row1.total(v1 + c.coupling_normal * (first2 - old2));
-    const float second2 = row2.total(v2 + c.coupling_normal * (first1 - old1));
-    p.normal_impulse = 0.5f * (first1 + second1);
-    q.normal_impulse = 0.5f * (first2 + second2);
+    // What each point wants if the other one has no impulse, and if both have one.
+    const float coupling = coupled_share * c.coupling_normal;
+    const float alone1 = row1.wanted(v1 - coupling * old2);
+    const float alone2 = row2.wanted(v2 - coupling * old1);
+    const float k1 = row1.mass * coupling, k2 = row2.mass * coupling;
+    const float both1 = alone1 - k1 * alone2, both2 = alone2 - k2 * alone1;
+    const float share = 1.0f / (1.0f - k1 * k2);
+    p.normal_impulse = max(both2 > 0.0f ? share * both1 : alone1, 0.0f);
+    q.normal_impulse = max(both1 > 0.0f ? share * both2 : alone2, 0.0f);
     const float i1 = p.normal_impulse - old1, i2 = q.normal_impulse - old2;
     pair.apply(n, i1 + i2, p.normal_lever_a * i1 + q.normal_lever_a * i2,
                p.normal_lever_b * i1 + q.normal_lever_b * i2);

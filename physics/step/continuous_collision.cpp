@@ -120,9 +120,10 @@ void stop_or_list(const FinishInput& in, uint32_t body, Vec2 shift, float turn,
     fast.body = body;
     fast.motion = motion_to(record.center, shift, turn);
     const bool dynamic = record.mobility == Mobility::dynamic;
-    fast.meets_moving = may_meet_moving(in, record, fast.motion, path);
+    const bool far = !dynamic || way_of(record, fast.motion) > near_motion(record);
+    fast.meets_moving = far && may_meet_moving(in, record, fast.motion, path);
     if (dynamic && !in.filter && may_meet_fixed(in, path)) stop_at_fixed(in, fast, piece);
-    if (in.filter || fast.meets_moving || fast.joined || in.objects.sensors > 0)
+    if (in.filter || fast.meets_moving || fast.joined || (far && in.objects.sensors > 0))
         piece.fast.push_back(fast);
 }
 

@@ -119,7 +119,7 @@ class MovingImpacts {
         mover.motion = mover.whole = motion;
         mover.stops = record(body).flags.bullet;
         mover.driven = record(body).mobility == Mobility::kinematic;
-        mover.slow = mover.driven && !(way_of(motion, record(body)) > near_motion(record(body)));
+        mover.slow = mover.driven && !(way_of(record(body), motion) > near_motion(record(body)));
         mover.box = swept_boxes(mover, 0.0f);
         return mover;
     }
@@ -135,17 +135,13 @@ class MovingImpacts {
         return all;
     }
 
-    /// The greatest way of a point of a body with this motion, m.
-    static float way_of(const Motion& motion, const BodyRecord& body) {
-        return length(motion.velocity) + std::fabs(motion.turn) * (body.extent - body.thickness);
-    }
     /// True if a body without a contact with the slow driven body may reach it in this step.
     bool may_reach(uint32_t body, const Mover& driven) const {
         Motion seen = motion_of(body);
         const Vec2 apart = seen.center(1.0f) - driven.motion.center(1.0f);
         seen.velocity = seen.velocity - driven.motion.velocity - cross(driven.motion.turn, apart);
         seen.turn -= driven.motion.turn;
-        return way_of(seen, record(body)) > least_hit_motion(record(body));
+        return way_of(record(body), seen) > least_hit_motion(record(body));
     }
     /// True if the motions of the two bodies are compared.
     bool are_compared(const Mover& mover, uint32_t other) const {

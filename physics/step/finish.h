@@ -60,7 +60,11 @@ inline float near_motion(const BodyRecord& body) {
     return max(0.5f * body.thickness, speculative_margin);
 }
 
-/// Less relative motion brings no body to a kinematic one with which it had no contact.
+/// The greatest way of a point of a body with this motion, beyond what its thickness bears, m.
+inline float way_of(const BodyRecord& body, const Motion& motion) {
+    return length(motion.velocity) + std::fabs(motion.turn) * (body.extent - body.thickness);
+}
+/// Less relative motion brings no body to an obstacle with which it had no contact.
 inline float least_hit_motion(const BodyRecord& body) {
     return min(near_motion(body), speculative_margin);
 }

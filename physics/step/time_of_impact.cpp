@@ -155,6 +155,17 @@ bool is_driven(const FinishInput& in, uint32_t shape) {
     return in.objects.bodies[in.objects.forms[shape].body].mobility == Mobility::kinematic;
 }
 
+/// From the center of mass of the body to the centroid of the shape, m.
+Vec2 centroid_of(const FinishInput& in, uint32_t s) {
+    const uint32_t body = in.objects.forms[s].body;
+    const BodyState& state = in.columns.states[body];
+    return rotate({state.cosine, state.sine},
+                  in.objects.shapes[s].centroid - in.objects.bodies[body].local_center);
+}
+Position centroid_at(const FinishInput& in, uint32_t s, const Motion& motion, float t) {
+    return motion.center(t) + rotate(rotation_of(motion.rotation(t)), centroid_of(in, s));
+}
+
 /// True if the body had a contact at the beginning of the step.
 bool had_contact(const FinishInput& in, const BodyRecord& body) {
     return in.objects.any_contact(body.lists.first_contact, none, [&](uint32_t contact) {
@@ -168,19 +179,15 @@ bool had_contact(const FinishInput& in, const BodyRecord& body) {
 Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, uint32_t other,
                       const Motion& other_motion, float now) {
     const BodyRecord& body = in.objects.bodies[in.objects.forms[s].body];
-    const BodyState& state = in.columns.states[in.objects.forms[s].body];
-    const Vec2 centroid =
-        rotate({state.cosine, state.sine}, in.objects.shapes[s].centroid - body.local_center);
-    const auto place = [&](float t) {
-        return motion.center(t) + rotate(rotation_of(motion.rotation(t)), centroid);
-    };
+    const Vec2 centroid = centroid_of(in, s);
+    const auto place = [&](float t) { return centroid_at(in, s, motion, t); };
     const Obstacle obstacle(in, other, other_motion, now);
     if (obstacle.is_from_behind(place(now))) return {};
     const Solid shape = solid_of(in.objects, in.columns, s);
     const Sweep swept = {shape, motion, body.extent};
     const bool is_carried = is_driven(in, s) || is_driven(in, other);
     const float inner = inner_radius(shape, centroid);
-    if (is_driven(in, other) && !obstacle.is_within(swept, speculative_margin)) {
+    if (!obstacle.is_within(swept, speculative_margin)) {
         // The solver knew nothing of the two. Of a body that lies or slides on something, a core
         // counts that resting contacts do not reach.
         Impact impact;
@@ -240,23 +247,53 @@ Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, floa
     return grow(path, min(rotation, 2.0f) * body.extent + speculative_margin);
 }
 
-Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
-                                 float now) {
-    const std::vector<ShapeRecord>& shapes = in.objects.shapes;
-    Impact first;
-    for (uint32_t s = in.objects.bodies[body].lists.first_shape; s != none; s = shapes[s].next) {
-        if (shapes[s].surface.sensor || !in.objects.is_solid(s)) continue;
+namespace {
+
+/// Visits the shapes of a body, each with the fixed shapes on its way from `now` to 1.
+void for_each_fixed_on_way(const FinishInput& in, uint32_t body, const Motion& motion, float now,
+                           auto&& visit) {
+    for_each_pushing(in.objects, body, [&](uint32_t s) {
         const Box4 swept = swept_box(in, s, motion, now);
         const auto meet = [&](uint32_t other) {
-            if (!may_meet(in, s, other)) return;
-            const Position center = in.objects.bodies[in.objects.forms[other].body].center;
-            const Impact impact = time_of_impact(in, s, motion, other, at_rest(center), now);
-            if (impact.time < first.time) first = impact;
+            if (may_meet(in, s, other)) visit(s, other);
         };
         in.boxes.fixed_tree.query(swept, meet);
         for (uint32_t side = 0; in.settings.bounds && side < 4; ++side)
             if (overlap(swept, in.boxes.fat_boxes[side])) meet(side);
-    }
+    });
+}
+
+Motion motion_of_fixed(const FinishInput& in, uint32_t shape) {
+    return at_rest(in.objects.bodies[in.objects.forms[shape].body].center);
+}
+
+}  // namespace
+
+Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
+                                 float now) {
+    const BodyRecord& record = in.objects.bodies[body];
+    const auto time_of = [&](uint32_t s, uint32_t other, float gap) {
+        const Obstacle obstacle(in, other, motion_of_fixed(in, other), now);
+        if (obstacle.is_from_behind(centroid_at(in, s, motion, now))) return 1.0f;
+        return obstacle.time_of({solid_of(in.objects, in.columns, s), motion, record.extent}, gap);
+    };
+    float arrival = 1.0f;
+    for_each_fixed_on_way(in, body, motion, now, [&](uint32_t s, uint32_t other) {
+        arrival = min(arrival, time_of(s, other, hit_gap));
+    });
+    if (arrival >= 1.0f) return {};
+    bool slides = false;
+    for_each_fixed_on_way(in, body, motion, now, [&](uint32_t s, uint32_t other) {
+        slides = slides || !(time_of(s, other, speculative_margin) > now);
+    });
+    if (!slides) return {arrival, {}, {}};
+    Impact first;
+    if (!(way_of(record, motion) > near_motion(record))) return first;
+    for_each_fixed_on_way(in, body, motion, now, [&](uint32_t s, uint32_t other) {
+        const Impact impact =
+            time_of_impact(in, s, motion, other, motion_of_fixed(in, other), now);
+        if (impact.time < first.time) first = impact;
+    });
     return first;
 }
 
