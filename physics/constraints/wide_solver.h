@@ -139,11 +139,11 @@ void solve_biased(const WideStep& step) {
 
 void relax(const WideStep& step) {
     for_each_group(step, [&step](WideContact& c, int at, Bodies& a, Bodies& b, std::size_t i) {
+        solve_friction(c, at, a, b);
         const NormalPass normals = solve_normals<false>(c, at, a, b, step);
         step.pushed[i] |= bits(normals.pushes > Wide{}) << at;
         const uint32_t before = at == 0 ? 0 : step.unsettled[i];
         step.unsettled[i] = before | bits(normals.unsettled) << at;
-        solve_friction(c, at, a, b);
     });
 }
 

@@ -185,9 +185,6 @@ Relaxed ContactSolver::relax(ContactConstraint& c) const {
     follow(c, a, b);
     SolvedPair pair(c, a, b);
     const float old[2] = {c.points[0].normal_impulse, c.points[1].normal_impulse};
-    solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
-    c.pushed |=
-        c.points[0].normal_impulse > 0.0f || (c.count > 1 && c.points[1].normal_impulse > 0.0f);
     if (c.extra == 0) {
         solve_friction(c, pair, 0.0f, {0.0f, 0.0f});
     } else {
@@ -195,6 +192,9 @@ Relaxed ContactSolver::relax(ContactConstraint& c) const {
         solve_rolling(c, extra, pair);
         solve_friction(c, pair, extra.surface_speed, extra.impact);
     }
+    solve_normals<false>(c, a, b, pair, corner_of(c), inverse_h, push_speed);
+    c.pushed |=
+        c.points[0].normal_impulse > 0.0f || (c.count > 1 && c.points[1].normal_impulse > 0.0f);
     pair.store(a, b);
     return changes_much(c, old) ? Relaxed::unsettled : Relaxed::settled;
 }
