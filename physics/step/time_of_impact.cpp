@@ -155,6 +155,11 @@ bool is_driven(const FinishInput& in, uint32_t shape) {
     return in.objects.bodies[in.objects.forms[shape].body].mobility == Mobility::kinematic;
 }
 
+/// True if the body of the shape is dynamic or kinematic.
+bool moves(const FinishInput& in, uint32_t shape) {
+    return in.objects.bodies[in.objects.forms[shape].body].mobility != Mobility::fixed;
+}
+
 /// From the center of mass of the body to the centroid of the shape, m.
 Vec2 centroid_of(const FinishInput& in, uint32_t s) {
     const uint32_t body = in.objects.forms[s].body;
@@ -187,7 +192,7 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
     const Sweep swept = {shape, motion, body.extent};
     const bool is_carried = is_driven(in, s) || is_driven(in, other);
     const float inner = inner_radius(shape, centroid);
-    if (!obstacle.is_within(swept, speculative_margin)) {
+    if (moves(in, other) && !obstacle.is_within(swept, speculative_margin)) {
         // The solver knew nothing of the two. Of a body that lies or slides on something, a core
         // counts that resting contacts do not reach.
         Impact impact;
