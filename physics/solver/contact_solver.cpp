@@ -51,7 +51,8 @@ inline void solve_normals(ContactConstraint& c, const SolverBody& a, const Solve
             v1 += path.opening * inverse_h;
             s1 += path.gap;
         }
-        const float total = max(NormalRow::make<biased>(p, s1, soft, inverse_h, push_speed).wanted(v1), 0.0f);
+        const float total =
+            max(NormalRow::make<biased>(p, s1, soft, inverse_h, push_speed).wanted(v1), 0.0f);
         const float impulse = total - p.normal_impulse;
         p.normal_impulse = total;
         pair.apply(n, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);

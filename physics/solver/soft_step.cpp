@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <solver/accounting.h>
 #include <solver/contact_solver.h>
 #include <solver/joint_passes.h>
@@ -180,7 +179,6 @@ struct alignas(cache_line_size) SoftStep {
     /// unsettled, and those of the same bodies. `serial`: the contacts of the block that are solved
     /// one at a time. `at_end`: this is the last sub-step.
     void settle(const SolverBlock& block, WideBlock& wide, ContactSolver& serial, bool at_end) {
-        static const char* which = getenv("WHICH"); static int cnt; int now = cnt++ % 4; if (which && which[now] == 48) return;
         // The copies of a hub are averaged only after a pass over the whole block.
         if (!schedule.hubs.empty()) return;
         UnsettledScratch& scratch = schedule.unsettled[size_t(&wide - schedule.wide_blocks.data())];
@@ -423,8 +421,6 @@ void solve_first_block(SoftStep& step, const JointStep& joint_step) {
         zero_locked(input);
         move_bodies.run();
         const bool at_end = substep + 1 == input.settings.substeps;
-        static const int extra = getenv("RELAX") ? atoi(getenv("RELAX")) : 0;
-        for (int i = 0; i < extra; ++i) relax.run();
         (at_end ? relax_and_store : relax).run();
         step.settle(block, first.wide, first.serial, at_end);
         first.serial.record();

@@ -38,8 +38,9 @@ void stop_at_fixed(const FinishInput& in, FastBody& fast, FinishedPiece& piece) 
     fast.joined = in.objects.bodies[fast.body].lists.first_joint != none;
 }
 
-/// True if the body moves far compared with its thickness, seen from a kinematic body, and may
-/// reach it. `path`: a box around the body on its way.
+/// True if the body moves far, seen from a kinematic body, and may reach it: compared with its
+/// thickness, since a kinematic body that moves searches for what it hits. `path`: a box around the
+/// body on its way.
 bool is_fast_beside(const FinishInput& in, const BodyRecord& body, const Motion& motion,
                     const Box4& path, const DrivenBody& driven) {
     if (!overlap(path, driven.box)) return false;
@@ -47,7 +48,8 @@ bool is_fast_beside(const FinishInput& in, const BodyRecord& body, const Motion&
     const Vec2 shift = motion.velocity - driven.motion.velocity - cross(driven.motion.turn, apart);
     const float way = length(shift) +
                       std::fabs(motion.turn - driven.motion.turn) * (body.extent - body.thickness);
-    if (!(way > near_motion(body))) return false;
+    const bool stands = driven.motion.velocity == Vec2{} && driven.motion.turn == 0.0f;
+    if (!(way > (stands ? least_hit_motion(body) : near_motion(body)))) return false;
     const Box4* const boxes = in.scratch.driven_boxes.data() + driven.first_box;
     for (uint32_t i = 0; i < driven.boxes; i += 1 + boxes_of_group) {
         if (!overlap(path, boxes[i])) continue;
@@ -99,11 +101,13 @@ bool may_meet_fixed(const FinishInput& in, const Box4& path) {
     return in.boxes.fixed_tree.meets(path);
 }
 
-/// True if the motion must be compared with those of moving bodies.
+/// True if the motion must be compared with those of moving bodies. `far`: it is far compared with
+/// the thickness of the body.
 bool may_meet_moving(const FinishInput& in, const BodyRecord& record, const Motion& motion,
-                     const Box4& path) {
+                     const Box4& path, bool far) {
     const std::vector<DrivenBody>& driven = in.scratch.driven_bodies;
-    if (in.objects.bullets > 0 || record.mobility == Mobility::kinematic) return true;
+    if (record.mobility == Mobility::kinematic) return true;
+    if (far && in.objects.bullets > 0) return true;
     if (in.objects.kinematic_bodies > driven.size()) return true;  // some stand still
     return std::any_of(driven.begin(), driven.end(), [&](const DrivenBody& other) {
         return is_fast_beside(in, record, motion, path, other);
@@ -121,7 +125,7 @@ void stop_or_list(const FinishInput& in, uint32_t body, Vec2 shift, float turn,
     fast.motion = motion_to(record.center, shift, turn);
     const bool dynamic = record.mobility == Mobility::dynamic;
     const bool far = !dynamic || way_of(record, fast.motion) > near_motion(record);
-    fast.meets_moving = far && may_meet_moving(in, record, fast.motion, path);
+    fast.meets_moving = may_meet_moving(in, record, fast.motion, path, far);
     if (dynamic && !in.filter && may_meet_fixed(in, path)) stop_at_fixed(in, fast, piece);
     if (in.filter || fast.meets_moving || fast.joined || (far && in.objects.sensors > 0))
         piece.fast.push_back(fast);

@@ -59,8 +59,8 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     const bool stands =
         record.mobility != Mobility::dynamic && shift.x == 0.0f && shift.y == 0.0f && turn == 0.0f;
     if (!stands || turned_before(in.objects, record)) finish_shapes(in, slot, q, piece);
-    const float near =
-        record.mobility == Mobility::kinematic ? least_driven_motion(record) : least_hit_motion(record);
+    const float near = record.mobility == Mobility::kinematic ? least_driven_motion(record)
+                                                              : least_hit_motion(record);
     if (settings.continuous &&
         length(shift) + std::fabs(turn) * (record.extent - record.thickness) > near) {
         stop_or_list(in, slot, shift, turn, piece);
