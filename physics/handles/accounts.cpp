@@ -41,19 +41,27 @@ std::optional<VelocityAccount> World::account(BodyId body) const {
     account.earlier = sums.earlier;
     account.before = sums.before;
     account.after = sums.after;
-    account.gravity = sums.gravity;
-    account.force = sums.force;
-    account.applied = sums.applied;
-    account.fields = sums.fields;
+    const float acted = 1.0f - sums.without_forces;
+    account.gravity = acted * sums.gravity;
+    account.force = acted * sums.force;
+    account.applied = acted * sums.applied;
+    account.fields = acted * sums.fields;
     account.damping = sums.damping;
-    Vec2 rest = sums.after - sums.before -
-                (sums.gravity + sums.force + sums.applied + sums.fields + sums.damping);
+    Vec2 rest =
+        sums.after - sums.before -
+        (account.gravity + account.force + account.applied + account.fields + account.damping);
     const VelocitySums::OfTurn& turn = sums.turn;
-    account.turn = {turn.earlier, turn.before,  turn.after,
-                    turn.torque,  turn.applied, turn.fields,
-                    turn.damping, 0.0f,         turn.inverse_inertia * turn.size};
+    account.turn = {.earlier = turn.earlier,
+                    .before = turn.before,
+                    .after = turn.after,
+                    .torque = acted * turn.torque,
+                    .applied = acted * turn.applied,
+                    .fields = acted * turn.fields,
+                    .damping = turn.damping,
+                    .size = turn.inverse_inertia * turn.size};
     float turn_rest =
-        turn.after - turn.before - (turn.torque + turn.applied + turn.fields + turn.damping);
+        turn.after - turn.before -
+        (account.turn.torque + account.turn.applied + account.turn.fields + account.turn.damping);
     for (const VelocitySums::OfContact& sum : sums.contacts) {
         const Vec2 change = change_by(sum.impulse);
         const float turned = turn.inverse_inertia * sum.twist;

@@ -52,6 +52,9 @@ struct VelocitySums {
     Vec2 inverse_mass = {};    ///< 0 along a locked axis
     Vec2 earlier = {}, before = {}, after = {};
     Vec2 last = {};  ///< velocity at the end of the last sub-step
+    /// The share of the step after an impact that ended the motion of the body: forces do not act
+    /// in it.
+    float without_forces = 0.0f;
     Vec2 gravity = {}, force = {}, applied = {}, fields = {}, damping = {};
     OfTurn turn = {};
     std::vector<OfContact> contacts = {};

@@ -385,6 +385,8 @@ void undo_forces(const FinishInput& in, uint32_t body, float share) {
     if (!record.flags.locked_x) state.velocity.x -= substeps * force.change.x;
     if (!record.flags.locked_y) state.velocity.y -= substeps * force.change.y;
     if (!record.flags.locked_rotation) state.angular_velocity -= substeps * force.turn_change;
+    for (VelocitySums& sums : in.sums)
+        if (sums.solver_body == record.solver_index) sums.without_forces += share;
     limit_speed(in, body);
 }
 
