@@ -4,10 +4,9 @@
 #include <cmath>
 
 // Sequential impulses (E. Catto, "Iterative Dynamics with Temporal Coherence", 2005) on small steps
-// with soft contacts (E. Catto, "Solver2D", 2024: "soft step"). Two points are solved one after the
-// other, but the effect of the first on the relative velocity of the second is computed in advance
-// (`coupling`). So both velocities are read at once, and the chain of dependent operations is
-// short.
+// with soft contacts (E. Catto, "Solver2D", 2024: "soft step"). The normal impulses of two points
+// are solved together, friction at one point after the other. The effect of an impulse at one point
+// on the relative velocity at the other is computed in advance (`coupling`).
 
 namespace fettle::physics::detail {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <step/finish.h>
 
-// Impacts on the way. A body that moved far compared with its thickness may have passed through a
-// thin obstacle. The core of a shape is the part that is deeper than half of its inner radius. If
-// the core met an obstacle on the way, the body must not go beyond the point where the shape itself
-// arrived. Only the core counts, so that bodies that slide over a floor of many pieces are not
-// stopped at every seam.
+// Impacts on the way. A body that moved farther than a contact reaches may have got into an
+// obstacle, or through it. What comes through the air must not go beyond the point where a shape
+// arrived at an obstacle. Of a body that lies, slides or rolls on something, only the core of a
+// shape counts: the part that is deeper than half of its inner radius. Otherwise it would be stopped
+// at every seam of a floor of many pieces.
 
 namespace fettle::physics::detail {
 
