@@ -5,8 +5,8 @@
 // Impacts on the way. A body that moved farther than a contact reaches may have got into an
 // obstacle, or through it. What comes through the air must not go beyond the point where a shape
 // arrived at an obstacle. Of a body that lies, slides or rolls on something, only the core of a
-// shape counts: the part that is deeper than half of its inner radius. Otherwise it would be stopped
-// at every seam of a floor of many pieces.
+// shape counts: the part that is deeper than half of its inner radius. Otherwise it would be
+// stopped at every seam of a floor of many pieces.
 
 namespace fettle::physics::detail {
 
@@ -25,10 +25,6 @@ struct Impact {
 /// How far `shape` may follow its motion from `now` without passing through `obstacle`.
 Impact time_of_impact(const FinishInput& in, uint32_t shape, const Motion& motion,
                       uint32_t obstacle, const Motion& obstacle_motion, float now);
-
-/// The same for all fixed obstacles together.
-Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
-                                 float now);
 
 /// A box around the shape on its way from `now` to 1.
 Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now);
@@ -54,6 +50,12 @@ void follow_motion(const FinishInput& in, uint32_t body, const Motion& motion,
 void undo_forces(const FinishInput& in, uint32_t body, float share);
 /// Shortens a velocity that an impact has changed to the maximum speed of the body and the world.
 void limit_speed(const FinishInput& in, uint32_t body);
+
+// fixed_obstacles.cpp
+
+/// The same for all fixed obstacles together.
+Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
+                                 float now);
 
 // continuous_collision_joints.cpp
 
