@@ -62,7 +62,7 @@ end
 
 -- Leaves off where the nose is high, backs off for a run-up where it gets no farther, and puts the car upright, as a
 -- person would.
-local patience, run_up = 3, 1.2  -- seconds
+local patience, run_up = 3, 2  -- seconds
 
 local function autopilot(dt)
     local chassis = world.car.chassis
@@ -75,8 +75,8 @@ local function autopilot(dt)
         drive.farthest, drive.stuck = chassis.position.x, 0
     end
     drive.stuck = drive.stuck < patience + run_up and drive.stuck + dt or 0
-    if drive.stuck > patience then return -1 end
     local speed = chassis.velocity.x
+    if drive.stuck > patience then return speed > -4 and -1 or 1 end
     return (speed < 3 and math.sin(chassis.angle) < 0.8 or speed < 10 and math.sin(chassis.angle) < 0.5) and 1 or 0
 end
 
