@@ -282,24 +282,11 @@ std::vector<std::string_view> arguments_of(std::string_view text) {
 // arguments, as texts. Leaves the results on the stack. Returns false if the command has another
 // form.
 bool call_with_words(lua_State* L, std::string_view command) {
-    constexpr std::string_view functions[] = {"who",
-                                              "why",
-                                              "pin",
-                                              "unpin",
-                                              "plot",
-                                              "break_when",
-                                              "unbreak",
-                                              "last_time",
-                                              "find",
-                                              "query",
-                                              "help",
-                                              "keep",
-                                              "reapply_tweaks",
-                                              "drop_tweaks",
-                                              "bookmark",
-                                              "unbookmark",
-                                              "wait",
-                                              "compare_branch"};
+    constexpr std::string_view functions[] = {
+        "who",        "why",        "pin",          "unpin",          "plot",
+        "break_when", "unbreak",    "last_time",    "find",           "query",
+        "help",       "keep",       "keep_for_all", "reapply_tweaks", "drop_tweaks",
+        "bookmark",   "unbookmark", "wait",         "compare_branch"};
     const std::size_t space = command.find(' ');
     if (space == std::string_view::npos) return false;
     const std::string_view name = command.substr(0, space);

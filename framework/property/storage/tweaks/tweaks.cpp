@@ -468,12 +468,6 @@ void Tweaks::barrier() {
         state_->warn("tweaks cannot be journaled: " + exception_text(error));
     }
 }
-TweakReport Tweaks::keep(std::string_view pattern) {
-    State& state = usable();
-    if (!state.not_kept_because.empty())
-        throw Error(ErrorKind::rejected, "keep: " + state.not_kept_because);
-    return state.keep(pattern);
-}
 TweakReport Tweaks::reapply(std::string_view pattern) {
     return usable().reapply(pattern);
 }
