@@ -186,6 +186,7 @@ void Console::State::run(const std::string& command) {
 
 void Console::State::show_log() {
     if (settings.flag("tweaks")) settings.set("tweaks", Value(false));
+    status.inspector_over_log = false;
 }
 
 void Console::State::open(bool opened) {

@@ -310,4 +310,13 @@ TEST_CASE("keep_for_all writes an edit of one instance of a scene into its file"
     }
 }
 
+TEST_CASE("a new name that was kept is listed with the old and the new name") {
+    const Game game;
+    const Outcome kept = run(game, {"1:world.l.a.name=\"arm\"", "3:keep(\"**\")", "4:tweaks()"});
+    INFO(kept.out);
+    CHECK(contains(kept.out, "kept 1 tweak in l.json"));
+    CHECK(contains(kept.out, "  world.l.a: moved to world.l.arm   step 0"));
+    CHECK(contains(kept.out, "   kept in l.json"));
+}
+
 }  // namespace keep_places_test

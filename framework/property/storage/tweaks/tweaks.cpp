@@ -398,7 +398,9 @@ std::vector<Tweak> Tweaks::list() const {
     state_->settle();
     std::vector<Tweak> all;
     const auto add = [&all](const JournalRow& row, bool is_earlier, bool committed) {
-        all.push_back({.path = path_of(row),
+        const bool named = row.kind == JournalRow::Kind::moved;  // a kept one has its new name
+        all.push_back({.path = named ? row.was_text : path_of(row),
+                       .there = named ? row.now : path_of(row),
                        .was = row.was_text,
                        .now = row.now_text,
                        .step = static_cast<std::uint64_t>(row.step),

@@ -35,7 +35,8 @@ std::filesystem::path journal_of(const std::filesystem::path& game);
 std::string game_title(const std::filesystem::path& game);
 
 struct Tweak {
-    std::string path;      // "world.ball.mass", or path of an instance
+    std::string path;      // "world.ball.mass", or path of an instance; before a move
+    std::string there;     // the same after a move
     std::string was, now;  // as printed, with units; "is ..." for a formula
     std::uint64_t step = 0;
     std::int64_t time = 0;   // s since 1970
