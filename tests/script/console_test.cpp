@@ -472,30 +472,6 @@ TEST_CASE("a function without arguments can be called without parentheses") {
     CHECK_THAT(s.console("undo"), contains("undo: world.ball.mass = 5"));
 }
 
-TEST_CASE("several commands stand on one line although some of them are no Lua") {
-    Stage s;
-    s.run("world.ball = Body { mass = 2 }");
-    CHECK_THAT(s.console("world.ball.mass = 5; undo"), contains("undo: world.ball.mass = 5"));
-    CHECK(s.console("world.ball.mass") == "2 kg");
-    s.console("redo");
-    const std::string both = s.console("undo; redo");
-    CHECK_THAT(both, contains("undo: world.ball.mass = 5"));
-    CHECK_THAT(both, contains("redo: world.ball.mass = 5"));
-    CHECK(s.console("world.ball.mass") == "5 kg");
-    CHECK_THAT(s.console("undo\nhistory"), contains("(undone) world.ball.mass = 5"));
-    CHECK_THAT(s.console("who world.ball.mass; world.ball.mass"), contains("2 kg"));
-    // Each is a step of undo.
-    s.console("world.ball.mass is 3 + 1; world.ball.height is 1; undo");
-    CHECK(s.console("world.ball.mass") == "4 kg");
-    CHECK_THAT(s.console("world.ball.height"), contains("no such name"));
-    // An error ends the line; semicolons in texts and blocks separate nothing.
-    CHECK_THAT(s.console("undo; world.bal; redo"), contains("world.bal: no such name"));
-    CHECK(s.console("print('undo; redo')") == "undo; redo");
-    CHECK(s.console("for i = 1, 2 do print(i); print(i + 1) end") == "1|2|2|3");
-    CHECK_THAT(s.console("undo; redoo"), contains("redoo"));
-    CHECK_THAT(s.console("undo;; ; redo;"), contains("redo: "));
-}
-
 TEST_CASE("undo names a long command by its beginning that ends with a whole character") {
     Stage s;
     s.run("world.ball = Body { mass = 2 }");

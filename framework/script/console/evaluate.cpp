@@ -320,18 +320,19 @@ bool is_command(lua_State* L, std::string_view text, bool& is_special) {
     return is_special;
 }
 
-/// The commands of a line such as `undo; redo`, of which one at least is no Lua; none for another
-/// line. A local variable would end with its command.
-std::vector<std::string> several_commands(lua_State* L, std::string_view command) {
+/// The commands of a line such as `undo; redo`, none of which is a part of a block; none for
+/// another line. A local variable would end with its command. `special`: one at least must be no
+/// Lua.
+std::vector<std::string> several_commands(lua_State* L, std::string_view command, bool special) {
     std::vector<std::string> all = separate_commands(command);
     if (all.size() < 2) return {};
     Sources& sources = machine_of(L).sources;
     const Sources::Stop stop = sources.stop;
-    bool any_special = false, each_alone = true;
+    bool any_special = !special, each_alone = true;
     for (const std::string& each : all) {
-        bool special = false;
-        each_alone = each_alone && first_word(each) != "local" && is_command(L, each, special);
-        any_special = any_special || special;
+        bool is_special = false;
+        each_alone = each_alone && first_word(each) != "local" && is_command(L, each, is_special);
+        any_special = any_special || is_special;
     }
     sources.stop = stop;
     return each_alone && any_special ? all : std::vector<std::string>();
@@ -340,7 +341,7 @@ std::vector<std::string> several_commands(lua_State* L, std::string_view command
 void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation,
          std::vector<std::string>& several) {
     if (command == "?") command = "help";
-    several = several_commands(L, command);
+    several = several_commands(L, command, true);
     if (!several.empty()) return;
     if (list_by_word(L, command, evaluation.lines)) return;
     if (add_help(L, machine, command, evaluation)) return;
@@ -355,6 +356,8 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
             evaluation.incomplete = true;
             return;
         case Compiled::wrong:
+            several = several_commands(L, command, false);
+            if (!several.empty()) return;
             if (add_formula(L, machine, command)) return;
             if (call_with_words(L, command)) break;
             add_command_hint(L, command);
@@ -366,7 +369,8 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
     }
     machine.budget.check(L);  // a command that was stopped must not print results
     take_lines(machine, evaluation);
-    add_results(L, machine, command, evaluation);
+    const std::vector<std::string> all = separate_commands(command);
+    add_results(L, machine, all.empty() ? command : std::string_view(all.back()), evaluation);
 }
 
 /// Records the instances that a command creates. If the command is stopped because it used too much
