@@ -43,6 +43,13 @@ void ContextMenu::break_item(const char* label, const char* tip, const std::stri
     }
 }
 
+void ContextMenu::keep_items(const char* tip, property::Handle instance, const std::string& path) {
+    if (item("Keep", tip)) run("keep(" + lua_string(path) + ")");
+    const std::size_t others = tweaks == nullptr ? 0 : tweaks->others_of_scene(instance);
+    if (others > 0 && item("Keep for all", "Into the scene file, from which others come, too"))
+        run("keep_for_all(" + lua_string(path) + ")");
+}
+
 void ContextMenu::draw_value(const property::Place& place) {
     const property::Property& property = *place.property;
     const std::string path = path_;  // a command may open another menu
@@ -65,8 +72,7 @@ void ContextMenu::draw_value(const property::Place& place) {
         if (!place.part.empty() || !begin_formula || !begin_formula(place)) insert(path + " is ");
     }
     if (place.part.empty() && item("Reset", "Back to its default")) run(path + " = nil");
-    if (!property.transient && item("Keep", "Writes the edit of it into the game"))
-        run("keep(" + lua_string(path) + ")");
+    if (!property.transient) keep_items("Writes the edit of it into the game", owner, path);
 }
 
 void ContextMenu::draw_instance(property::Handle instance) {
@@ -89,7 +95,7 @@ void ContextMenu::draw_instance(property::Handle instance) {
     if (select_class && item("Select all of its class", "All edits go to all of them"))
         select_class(tree_.class_of(instance));
     if (item("Put into the prompt", "The path, at the cursor")) insert(path);
-    if (item("Keep", "Writes the edits of it into the game")) run("keep(" + lua_string(path) + ")");
+    keep_items("Writes the edits of it into the game", instance, path);
     if (tree_.class_of(instance).creatable() && item("Delete", "undo brings it back"))
         run(path + ":delete()");
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <fettle/property/path.h>
+#include <fettle/property/storage/tweaks.h>
 #include <fettle/property/tree.h>
 
 #include <look/rect.h>
@@ -35,6 +36,9 @@ class ContextMenu {
     /// Begins typing a formula of that property. False if it cannot be typed there.
     std::function<bool(const property::Place&)> begin_formula;
 
+    /// Null: nothing can be kept for all instances of a scene file.
+    const property::Tweaks* tweaks = nullptr;
+
     /// Opens the menu of that path in the next frame, at the mouse.
     void open(std::string path) {
         path_ = std::move(path);
@@ -51,6 +55,8 @@ class ContextMenu {
     void pin_item(const char* pin, const char* unpin, const std::string& path);
     /// The same for a break.
     void break_item(const char* label, const char* tip, const std::string& path);
+    /// `tip`: of the first of the entries.
+    void keep_items(const char* tip, property::Handle instance, const std::string& path);
     void draw_value(const property::Place& place);
     void draw_instance(property::Handle instance);
 

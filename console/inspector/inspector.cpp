@@ -29,6 +29,7 @@ void Inspector::select(Handle instance, const std::string& property) {
     outline_.reveal(instance);
     scroll_to_selected_ = true;
     scroll_to_property_ = property;
+    tree_in_turn_ = false;
 }
 
 void Inspector::toggle(Handle instance) {
@@ -67,8 +68,8 @@ void Inspector::choose(Handle instance) {
     if (chosen) chosen(instance);
 }
 
-void Inspector::draw_search() {
-    ImGui::SetNextItemWidth(-1);
+void Inspector::draw_search(float right_free) {
+    ImGui::SetNextItemWidth(right_free > 0 ? -right_free : -1);
     const char* const hint = "search by name, class, or mass > 5";
     const bool fits =
         text_width(hint) + 2 * ImGui::GetStyle().FramePadding.x < ImGui::GetContentRegionAvail().x;
@@ -77,6 +78,7 @@ void Inspector::draw_search() {
     input_line("##search", fits ? hint : "search", search_, ImGuiInputTextFlags_AutoSelectAll);
     const bool had_keyboard = searches_;
     searches_ = ImGui::IsItemActive();
+    if (searches_ || frames_to_search_ > 0) tree_in_turn_ = true;
     frames_to_search_ = searches_ ? 0 : std::max(0, frames_to_search_ - 1);
     // Escape clears the text, and ends the search when there is none.
     if (had_keyboard && !searches_ && compat::escape_pressed() && !before.empty()) {
@@ -140,6 +142,7 @@ bool Inspector::tab(bool back) {
     if (searches_ || frames_to_search_ > 0) {
         if (!back) {
             choose_focused_row();
+            tree_in_turn_ = false;
             editor_.move_focus(false);
         }
         frames_to_search_ = 0;
@@ -174,37 +177,12 @@ void Inspector::draw(ImFont* bold, float left_out) {
     pointed_ = {};
     follow_selected();
     draw_search();
-    if (!outline_.problem().empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::PushStyleColor(ImGuiCol_Text, palette::error);
-        text_line(outline_.problem());
-        ImGui::PopStyleColor();
-        ImGui::PopTextWrapPos();
-    }
+    draw_problem();
     // Whether or not something is selected, so that a selection moves nothing.
     const float available = ImGui::GetContentRegionAvail().y + left_out;
     draw_outline(std::max(1.0f, std::floor(available * outline_share_)));
     draw_splitter();
-    if (!tree_.alive(selected())) {
-        const std::string instead = !selected() ? "Click a body in the game, or a name above."
-                                    : tree_.deleted_info(selected())
-                                        ? last_path_ + " was deleted"
-                                        : last_path_ + " is not there at this step";
-        ImGui::Spacing();
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("%s", instead.c_str());
-        ImGui::PopTextWrapPos();
-    } else {
-        selection_.drop_deleted();
-        editor_.also_edit(selection_.others(), selection_.revision());
-        if (selection_.others().empty())
-            draw_header(bold);
-        else
-            draw_several(bold);
-        ImGui::BeginChild("properties");
-        if (tree_.alive(selected())) draw_properties(bold);  // a button may have deleted it
-        ImGui::EndChild();
-    }
+    draw_selected(bold);
     editor_.end_frame();
     if (editor_.consume_moved_before_first()) begin_search();
 }
@@ -328,10 +306,10 @@ void Inspector::draw_splitter() {
 
 // --- The selected instance
 
-void Inspector::draw_header(ImFont* bold) {
+void Inspector::draw_header(ImFont* bold, float right_free) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImVec2 at = ImGui::GetCursorScreenPos();
-    float width = ImGui::GetContentRegionAvail().x, em = ImGui::GetFontSize();
+    float width = ImGui::GetContentRegionAvail().x - right_free, em = ImGui::GetFontSize();
     std::string class_name = tree_.class_of(selected()).name();
     float class_width = text_width(class_name) + em * 0.8f;
     ImGui::Dummy(ImVec2(width, em * 1.5f));
@@ -347,14 +325,15 @@ void Inspector::draw_header(ImFont* bold) {
 }
 
 /// The header for several selected instances, with buttons for operations on all of them.
-void Inspector::draw_several(ImFont* bold) {
+void Inspector::draw_several(ImFont* bold, float right_free) {
     const std::string& kind = tree_.class_of(selected()).name();
     const bool alike = selection_.of_one_class();
     compat::push_font(bold);
     text_line(std::to_string(selection_.count()) + " selected");
     ImGui::PopFont();
     const FontScope font(fonts().sans);
-    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    const float right =
+        ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x - right_free;
     const ImGuiStyle& style = ImGui::GetStyle();
     // What has no room in a row begins another one.
     const auto beside_if_it_fits = [&](float wide) {

@@ -12,6 +12,7 @@
 #include <editing/property_editor.h>
 #include <inspector/instance_tree.h>
 #include <inspector/selection.h>
+#include <look/rect.h>
 
 namespace fettle::console {
 
@@ -65,6 +66,10 @@ class Inspector {
     /// Draws into the current ImGui window. `left_out`: how much higher the window is with a
     /// selection, in pixels.
     void draw(ImFont* bold, float left_out = 0);
+    /// The same with either the tree or the properties, in turn, where there is no room for both.
+    void draw_in_turn(ImFont* bold);
+    /// The button of `draw_in_turn`; for tests.
+    const Rect& turn_button() const { return turn_rect_; }
     /// The height that the search, the tree and a hint need in a window whose height is `whole`
     /// with a selection: the tree stays as it is when something is selected.
     float height_without_selection(float whole) const;
@@ -83,14 +88,17 @@ class Inspector {
 
   private:
     void follow_selected();
-    void draw_search();
+    /// `right_free`: the width that stays free at the right of the first row, in pixels.
+    void draw_search(float right_free = 0);
+    void draw_problem();
+    void draw_selected(ImFont* bold, float right_free = 0);
     void move_through_rows();
     void choose_focused_row();
     void draw_outline(float height);
     void draw_outline_row(const InstanceTree::Row& row);
     void draw_splitter();
-    void draw_header(ImFont* bold);
-    void draw_several(ImFont* bold);
+    void draw_header(ImFont* bold, float right_free);
+    void draw_several(ImFont* bold, float right_free);
     void run_for_all(const std::string& command, const char* what);
     bool all_have(const property::Property& property) const;
     void draw_properties(ImFont* bold);
@@ -108,6 +116,8 @@ class Inspector {
     std::string scroll_to_property_;
     bool scroll_to_selected_ = false;
     int frames_to_search_ = 0;
+    Rect turn_rect_;
+    bool tree_in_turn_ = false;     // `draw_in_turn` shows the tree
     bool searches_ = false;         // the search field has the keyboard
     property::Handle focused_row_;  // the row that the arrow keys have reached
     property::Handle pointed_;      // the row under the mouse

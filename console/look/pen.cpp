@@ -118,11 +118,11 @@ void Pen::textured(const property::Picture& picture, const property::PictureArea
                       static_cast<float>(y / picture.height()));
     };
     // Half a pixel within the area, so that its neighbors in the picture are not seen.
-    const auto margin = [](double size, std::uint32_t all) {
+    const auto left_over = [](double size, std::uint32_t all) {
         return size < all ? std::min(0.5, 0.5 * size) : 0;
     };
-    const double in_x = margin(area.width, picture.width()),
-                 in_y = margin(area.height, picture.height());
+    const double in_x = left_over(area.width, picture.width()),
+                 in_y = left_over(area.height, picture.height());
     const double left = area.left + in_x, right = area.left + area.width - in_x;
     const double high = area.top + in_y, low = area.top + area.height - in_y;
     list_.AddImageQuad(style_.pictures->number(picture), pixel({lower.x, top}),

@@ -102,6 +102,7 @@ void Console::State::connect_inspector() {
 void Console::State::connect_context_menu() {
     context_menu.run = [this](const std::string& command) { run(command); };
     context_menu.insert = inspector.insert;
+    context_menu.tweaks = options.tweaks;
     context_menu.copy = [this](const std::string& text) { clipboard->write(text); };
     context_menu.select_class = [this](const property::Class& wanted) {
         choose_all(all_of_class(tree, wanted));
@@ -185,6 +186,7 @@ void Console::State::run(const std::string& command) {
 
 void Console::State::show_log() {
     if (settings.flag("tweaks")) settings.set("tweaks", Value(false));
+    status.inspector_over_log = false;
 }
 
 void Console::State::open(bool opened) {

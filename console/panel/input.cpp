@@ -78,6 +78,7 @@ bool Console::State::press_key(const InputEvent& event) {
     note_letter(event);
     if (event.name == "f" && event.control && !event.alt) {
         if (!settings.flag("inspector")) settings.set("inspector", property::Value(true));
+        status.inspector_over_log = true;
         inspector.begin_search();
     } else if (focused_widget_key(event)) {
         return true;
@@ -202,6 +203,7 @@ void Console::State::prompt_key(const InputEvent& event) {
         if (key.name == "enter" || printed) views.log_view.scroll_to_end();
         // The output of a command is shown in place of the list that was there before.
         if (listed && printed) settings.set("tweaks", property::Value(false));
+        if (printed) status.inspector_over_log = false;
         return;
     }
     if (key.control && key.name == "o") {
@@ -337,6 +339,7 @@ bool Console::State::click_game(float x, float y, bool menu) {
             return !menu;
         }
         input.keys_to_selection = true;
+        if (!menu) status.inspector_over_log = true;
         if (!menu && input.control_held) {
             inspector.toggle(found);
             choose_all(inspector.selection());

@@ -12,23 +12,20 @@
 #include <look/fields.h>
 #include <look/imgui_compat.h>
 #include <look/theme.h>
+#include <panel/sizes.h>
 #include <panel/state.h>
 
 namespace fettle::console {
 
 namespace {
 
-constexpr int panel_flags =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse;
-constexpr float margin = 8;        // pixels around the windows
 constexpr float handle_size = 16;  // width of the edges for resizing, half of it outside, in pixels
 // The least sizes of the windows, in ems.
 constexpr float least_panel = 26, least_height = 8.5f;  // the panel: its width and height
 constexpr float least_log = 6.5f;    // the panel without overlays: title, a line and prompt
 constexpr float useful_log = 10.5f;  // with three lines more, which an answer mostly needs
 constexpr float stacked_below = 44;  // the watch list and the plot, in narrower windows
-constexpr float least_plot = 9, least_list = 4, least_frames = 7, least_inspector = 8;
+constexpr float least_plot = 9, least_list = 4, least_frames = 7;
 constexpr float low_plot = 4.1f, low_list = 2, low_frames = 5;  // in low windows; below that, none
 constexpr float least_beside = 15;      // the inspector: its width beside the panel
 constexpr float useful_inspector = 14;  // its height below the panel, with some properties
@@ -69,6 +66,7 @@ void Console::State::frame(double seconds) {
     draw_part([&] { draw_box(); });
     float right = 0;
     screen.height_edge = screen.width_edge = screen.plot_edge = {};
+    note_size_of_window();
     if (inspector_is_beside()) {
         right = inspector_width() + margin;
         draw_part([&] { draw_inspector(screen.width - right, inspector_width()); });
@@ -176,6 +174,7 @@ float Console::State::inspector_width() {
 /// views at the lower edge get less room, or are left out. What is left out takes no room from the
 /// panel.
 float Console::State::panel_height() {
+    if (inspector_is_in_panel()) return height_with_inspector();
     const float em = ImGui::GetFontSize();
     const float overlays = settings.flag("overlays") ? views.overlay_bar.height() : 0;
     const float whole = std::max(1.0f, screen.height - 2 * margin);
@@ -400,14 +399,16 @@ void Console::State::draw_panel(float panel_width, float panel_height, float cel
     float prompt_height = views.prompt_view.height(panel_height);
     float log_height =
         ImGui::GetContentRegionAvail().y - prompt_height - ImGui::GetStyle().ItemSpacing.y * 2;
-    if (views.tweak_list.available() && settings.flag("tweaks"))
+    if (inspector_is_in_panel())
+        draw_inspector_in_panel(log_height);
+    else if (views.tweak_list.available() && settings.flag("tweaks"))
         views.tweak_list.draw(std::max(1.0f, log_height));
     else
         draw_log(std::max(1.0f, log_height), cell);
     ImGui::Spacing();
     views.prompt_view.draw(prompt_height, cell, !ImGui::IsAnyItemActive());
     ImGui::End();
-    draw_height_handle();
+    if (!inspector_is_in_panel()) draw_height_handle();
 }
 
 void Console::State::draw_log(float log_height, float cell) {
@@ -439,37 +440,6 @@ void Console::State::draw_inspector(float left, float inspector_width) {
     inspector.draw(ui.bold());
     ImGui::End();
     draw_width_handle();
-}
-
-/// The lowest place for the inspector below the panel: it covers no error, which other layers show.
-float Console::State::free_for_inspector() const {
-    const float low = free_above() - legend_room();
-    if (options.game_covered && options.game_covered()) return 0;
-    if (!options.free_of_others) return low;
-    const app::ClipRectangle free = options.free_of_others({0, 0, screen.width, screen.height});
-    return std::min(low, free.top + free.height - margin);
-}
-
-/// Draws the inspector in the room between the panel and the views at the lower edge, if there is
-/// enough. If nothing is selected, the game is visible below the tree, so that it can be clicked.
-void Console::State::draw_inspector_below() {
-    const float least = least_inspector * ImGui::GetFontSize();
-    const Rect& runs = views.compare_view.rect();
-    const float top = (runs.empty() ? screen.panel_rect : runs).high.y + margin;
-    const float room = free_for_inspector() - top;
-    if (!settings.flag("inspector") || room < least) {
-        screen.inspector_rect = {};
-        return inspector.editor().end_drag();
-    }
-    ImGui::SetNextWindowPos(ImVec2(margin, top));
-    const bool whole = tree.alive(inspector.selected());
-    const float tall = whole ? room : inspector.height_without_selection(room);
-    ImGui::SetNextWindowSize(ImVec2(screen.width - 2 * margin, tall));
-    ImGui::SetNextWindowBgAlpha(settings.number("opacity"));
-    ImGui::Begin("##inspector", nullptr, panel_flags);
-    screen.inspector_rect = window_rect();
-    inspector.draw(ui.bold(), room - tall);
-    ImGui::End();
 }
 
 void Console::State::draw_width_handle() {

@@ -83,10 +83,12 @@ struct Input {
 struct Screen {
     float width = 0, height = 0;  // of the surface; 0 before the first draw
     Rect panel_rect, inspector_rect, filter_rect;
-    Rect height_edge, width_edge;     // of the panel and of the inspector, to be dragged
-    Rect plot_edge;                   // the upper edge of the plot
-    Rect paused_sign;                 // while the console is closed
-    bool inspector_left_out = false;  // it is on, and has no room
+    Rect height_edge, width_edge;        // of the panel and of the inspector, to be dragged
+    Rect plot_edge;                      // the upper edge of the plot
+    Rect paused_sign;                    // while the console is closed
+    bool inspector_left_out = false;     // it is on, and not shown
+    bool inspector_has_no_room = false;  // neither beside the panel nor below it
+    ImVec2 ems;                          // the size of the surface in the size of the text
     bool popup_open = false;
     bool building = false;     // a frame is being built; no other may begin inside it
     std::string part_problem;  // the last one in the log
@@ -96,7 +98,8 @@ struct Screen {
 struct Status {
     bool was_open = false;
     bool greeted = false;
-    bool drawn = false;  // since it was opened
+    bool drawn = false;               // since it was opened
+    bool inspector_over_log = false;  // in a window that has no other room for it
     bool used =
         false;  // it was opened, a key has run a command, or the program has paused the game
     bool pausing = false;  // the console has paused the game's time
@@ -187,7 +190,7 @@ struct Console::State {
     /// Notes it if an edit, of the inspector or of an attached terminal, was too large to be
     /// undone. The prompt tells it of its commands.
     void note_lost_undo();
-    /// Shows the log in place of the list of tweaks.
+    /// Shows the log in place of the list of tweaks and of the inspector.
     void show_log();
     // --- Files (exporting.cpp)
     void export_plots();
@@ -237,7 +240,13 @@ struct Console::State {
     void draw_frames(float right);
     void draw_comparison(double seconds);
     void draw_inspector(float left, float width);
+    // --- In small windows (narrow_inspector.cpp)
     void draw_inspector_below();
+    void note_size_of_window();
+    bool inspector_fits_in_panel();
+    bool inspector_is_in_panel();
+    float height_with_inspector();
+    void draw_inspector_in_panel(float height);
     void draw_width_handle();
     void draw_plot_handle(float plot_height);
 

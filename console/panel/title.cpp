@@ -61,9 +61,13 @@ void Console::State::draw_title(float cell) {
     bool shown = settings.flag("inspector"), pauses = settings.flag("pauses");
     const float right_of_button = right;
     screen.inspector_left_out = shown && status.drawn && screen.inspector_rect.empty();
-    if (title_button("inspector", shown && !screen.inspector_left_out, right))
-        settings.set("inspector", property::Value(!shown));
-    if (screen.inspector_left_out && right < right_of_button) {
+    // Where it can be shown in place of the log, the button changes between the two.
+    const bool in_turn = inspector_fits_in_panel();
+    if (title_button("inspector", shown && !screen.inspector_left_out, right)) {
+        if (!in_turn) settings.set("inspector", property::Value(!shown));
+        status.inspector_over_log = !shown || !status.inspector_over_log;
+    }
+    if (screen.inspector_left_out && !in_turn && right < right_of_button) {
         // It is on, and struck out.
         const Rect button = item_rect();
         const float middle = std::round(button.middle().y);
@@ -87,8 +91,10 @@ void Console::State::draw_title(float cell) {
         const std::size_t open = views.tweak_list.open_count();
         const std::string label =
             open == 0 ? "tweaks###tweaks" : "tweaks " + std::to_string(open) + "###tweaks";
-        if (title_button(label.c_str(), listed, right))
-            settings.set("tweaks", property::Value(!listed));
+        if (title_button(label.c_str(), listed && !inspector_is_in_panel(), right)) {
+            settings.set("tweaks", property::Value(!listed || inspector_is_in_panel()));
+            status.inspector_over_log = false;
+        }
     }
     const float em = ImGui::GetFontSize();
     if (content > 46 * em) draw_filter(right, em);

@@ -181,7 +181,7 @@ void TweakList::draw_row(int row) {
     fitted(palette::path, tweak.path, path_room, draw_path_fit,
            times_ ? "" : tweak.path + "\n" + when(tweak));
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemClicked(0) && follow) follow(tweak.path);
+    if (ImGui::IsItemClicked(0) && follow) follow(tweak.there);
     ImGui::TableNextColumn();
     draw_change(tweak);
     if (times_) {

@@ -215,6 +215,27 @@ TEST_CASE("the legend of writers is in the part of the screen that layers leave 
     CHECK(pitch() == 2 * usual);
 }
 
+TEST_CASE("the texts of overlays grow with those of the console") {
+    struct Large : app::Layer {
+        float text_size() const override { return 30; }
+        bool handle(const app::InputEvent&) override { return false; }
+        void draw(app::Surface&, double) override {}
+    } layer;
+    Game game;
+    game.set("view.show.timings", true);
+    game.loop.turn();
+    const auto drawn = [&] {
+        app::NotingScreen screen;
+        game.loop.draw(screen, 0);
+        const auto& lines = screen.noted_surface.lines;
+        return std::pair(screen.noted.view.label_scale, lines[2].second - lines[1].second);
+    };
+    const auto [scale, pitch] = drawn();
+    CHECK(scale == 1);
+    game.loop.add(layer);
+    CHECK(drawn() == std::pair(2.0, 2 * pitch));
+}
+
 TEST_CASE("the timings of the game are not drawn under a layer that shows them") {
     struct Covering : app::Layer {
         bool handle(const app::InputEvent&) override { return false; }

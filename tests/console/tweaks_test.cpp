@@ -4,6 +4,9 @@
 
 #include <fstream>
 #include <iterator>
+#include <vector>
+
+#include <fettle/property/storage/scene.h>
 
 #include "catch.h"
 #include "rig.h"
@@ -72,6 +75,31 @@ TEST_CASE("a click in the list of tweaks keeps or drops the tweak") {
     std::ifstream file(rig.folder.path / "main.tweaks.json");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     CHECK(text.find("\"world.ball.mass\": 5") != std::string::npos);
+}
+
+TEST_CASE("the menu of one of several instances of a scene file keeps for all of them") {
+    TweakedRig rig;
+    std::ofstream(rig.folder.path / "lamp.json")
+        << R"({"fettle_scene": 1, "class": "Body", "name": "lamp"})";
+    const property::Handle world = rig.tree.child(rig.tree.root(), "world");
+    for (int i = 0; i < 2; ++i) {
+        std::vector<property::SceneInstance> instances;
+        property::load_scene(rig.tree, rig.folder.path / "lamp.json", world, {}, nullptr,
+                             &instances);
+        rig.tweaks->scene_loaded(rig.folder.path / "lamp.json", instances);
+    }
+    const auto entry_for = [&](const char* path) {
+        rig.state().context_menu.open(path);
+        rig.draw(3);
+        REQUIRE_FALSE(rig.state().context_menu.entry("Keep").empty());
+        return rig.state().context_menu.entry("Keep for all");
+    };
+    CHECK(entry_for("world.ball").empty());
+    const Rect entry = entry_for("world.lamp_1.mass");
+    REQUIRE_FALSE(entry.empty());
+    rig.click(entry.middle().x, entry.middle().y);
+    rig.draw(3);
+    CHECK(rig.commands.back() == "keep_for_all(\"world.lamp_1.mass\")");
 }
 
 TEST_CASE("the list of tweaks does not cut a path where there is room") {

@@ -132,7 +132,7 @@ TEST_CASE("a scene that is loaded by an edit is kept as a copy with the instance
 TEST_CASE("keeping a value of a scene that is loaded twice reports that it has one value") {
     const Game game("scene.load(\"l.json\", world, \"m\")");
     const Outcome kept =
-        run(game, {"1:world.l.a.angle=1", "2:world.m.a.angle=2", "3:keep(\"**\")"});
+        run(game, {"1:world.l.a.angle=1", "2:world.m.a.angle=2", "3:keep_for_all(\"**\")"});
     INFO(kept.out);
     CHECK(contains(kept.out, "world.m.a.angle: l.json is the scene of world.l.a.angle as well"));
 }
@@ -218,6 +218,105 @@ TEST_CASE("a kept deletion below one of two instances of a scene file leaves the
         CHECK(folder.text("lvl.json") == level);
         CHECK(output_of_next_run(folder, "print(all())") == "lvl.e lvl_1.d lvl_1.e\n");
     }
+}
+
+TEST_CASE("a value that was edited on one of several instances of a scene is kept for this one") {
+    const Game game("scene.load(\"l.json\", world, \"m\") scene.load(\"l.json\", world, \"n\")");
+    const std::string angles = "print(world.l.a.angle, world.m.a.angle, world.n.a.angle)";
+    SECTION("and the answer says so") {
+        const Outcome kept = run(game, {"1:world.m.a.angle=1", "3:keep(\"**\")"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "kept 1 tweak in main.tweaks.json"));
+        CHECK(contains(kept.out,
+                       "world.m.a.angle: for one of 3 instances of l.json only; keep_for_all "
+                       "writes into l.json, for all of them"));
+        CHECK(game.text("l.json") == two);
+        CHECK(output_of_next_run(game, angles) == "0.0\t1.0\t0.0\n");
+    }
+    SECTION("two of them with two values") {
+        const Outcome kept =
+            run(game, {"1:world.m.a.angle=1", "2:world.l.a.angle=2", "3:keep(\"**\")"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "kept 2 tweaks in main.tweaks.json"));
+        CHECK(contains(kept.out, "world.m.a.angle and 1 more: each for one of 3 instances"));
+        CHECK(output_of_next_run(game, angles) == "2.0\t1.0\t0.0\n");
+    }
+    SECTION("of the topmost instance") {
+        run(game, {"1:world.m.k = 3", "3:keep(\"**\")"});
+        CHECK(game.text("l.json") == two);
+        CHECK(output_of_next_run(game, "print(world.m.k, world.l:has(\"k\"))") == "3\tfalse\n");
+    }
+    SECTION("a formula") {
+        run(game, {"1:world.m.a.angle is world.l.c.angle + 2", "3:keep(\"**\")"});
+        CHECK(game.text("l.json") == two);
+        CHECK(output_of_next_run(game, angles) == "0.0\t2.0\t0.0\n");
+    }
+    SECTION("a reference within the scene") {
+        run(game, {"1:world.m.j.body_b = world.m.a", "3:keep(\"**\")"});
+        CHECK(game.text("l.json") == two);
+        CHECK(output_of_next_run(game, "print(world.m.j.body_b, world.l.j.body_b)") ==
+              "world.m.a\tworld.l.c\n");
+    }
+    SECTION("an edit of an earlier run") {
+        run(game, {"1:world.m.a.angle=1"});
+        run(game, {"3:keep(\"**\")"});
+        CHECK(output_of_next_run(game, angles) == "0.0\t1.0\t0.0\n");
+    }
+    SECTION("and taken back by undo") {
+        run(game, {"1:world.m.a.angle=1", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+        CHECK(output_of_next_run(game, angles) == "0.0\t0.0\t0.0\n");
+    }
+    SECTION("but in the file if the others were deleted") {
+        const Outcome kept = run(game, {"1:world.l:delete() world.n:delete()",
+                                        "2:world.m.a.angle=1", "3:keep(\"world.m.**\")"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "kept 1 tweak in l.json"));
+        CHECK_FALSE(contains(kept.out, "keep_for_all"));
+    }
+}
+
+TEST_CASE("keep_for_all writes an edit of one instance of a scene into its file") {
+    const Game game("scene.load(\"l.json\", world, \"m\") scene.load(\"l.json\", world, \"n\")");
+    const std::string angles = "print(world.l.a.angle, world.m.a.angle, world.n.a.angle)";
+    SECTION("a value") {
+        const Outcome kept = run(game, {"1:world.m.a.angle=1", "3:keep_for_all world.m.**"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "kept 1 tweak in l.json"));
+        CHECK(contains(kept.out,
+                       "2 other instances come from l.json, and have the change when the file is "
+                       "loaded again"));
+        CHECK(output_of_next_run(game, angles) == "1.0\t1.0\t1.0\n");
+    }
+    SECTION("a value that was kept for one instance before") {
+        run(game, {"1:world.m.a.angle=1", "3:keep(\"**\")", "4:keep_for_all(\"**\")"});
+        CHECK_FALSE(contains(game.text("main.tweaks.json"), "angle"));
+        CHECK(output_of_next_run(game, angles) == "1.0\t1.0\t1.0\n");
+    }
+    SECTION("a deletion and a new instance") {
+        run(game, {"1:world.m.a:delete()", "2:world.m.d = Body {}", "3:keep_for_all(\"**\")"});
+        CHECK(output_of_next_run(game, "print(world.l:has(\"a\"), world.n.d)") ==
+              "false\tworld.n.d\n");
+    }
+    SECTION("a name, which the file has for all of them") {
+        const Outcome kept = run(
+            game, {"1:world.m.a.name=\"arm\"", "3:keep(\"**\")", "5:keep_for_all(\"world.m.**\")"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "kept 0 tweaks"));
+        CHECK(contains(kept.out,
+                       "world.m.a: l.json has this name for all its 3 instances: keep_for_all "
+                       "gives the new one to all of them"));
+        CHECK(output_of_next_run(game, "print(world.l.arm, world.n.arm)") ==
+              "world.l.arm\tworld.n.arm\n");
+    }
+}
+
+TEST_CASE("a new name that was kept is listed with the old and the new name") {
+    const Game game;
+    const Outcome kept = run(game, {"1:world.l.a.name=\"arm\"", "3:keep(\"**\")", "4:tweaks()"});
+    INFO(kept.out);
+    CHECK(contains(kept.out, "kept 1 tweak in l.json"));
+    CHECK(contains(kept.out, "  world.l.a: moved to world.l.arm   step 0"));
+    CHECK(contains(kept.out, "   kept in l.json"));
 }
 
 }  // namespace keep_places_test

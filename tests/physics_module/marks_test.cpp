@@ -17,13 +17,17 @@ namespace {
 
 /// A picture with 40 pixels a meter.
 struct FinePicture : Picture {
+    double scale = 1;
     double pixels_per_unit() const override { return 40; }
+    double label_scale() const override { return scale; }
 };
 
 struct Marked : Game {
+    double scale = 1;  // of texts
     /// The figures that an overlay adds to the picture.
     std::vector<Figure> marks(Overlay which) {
         FinePicture plain, picture;
+        picture.scale = scale;
         tree.draw(tree.root(), plain, 1.0);
         picture.overlays = {which};
         tree.draw(tree.root(), picture, 1.0);
@@ -72,6 +76,25 @@ TEST_CASE_METHOD(Marked, "impulses are drawn to one scale") {
     CHECK(texts == 1);
     CHECK(by_side[0] > 0);
     CHECK(by_side[1] / by_side[0] == Approx(4).epsilon(0.1));
+}
+
+TEST_CASE_METHOD(Marked, "texts of overlays are as large as the texts of the console") {
+    floor();
+    body("Box", {0, 0.5});
+    step(20);
+    const Overlay which = GENERATE(Overlay::names, Overlay::impulses);
+    const auto heights = [&] {
+        std::vector<double> all;
+        for (const Figure& mark : marks(which))
+            if (mark.kind == "text") all.push_back(mark.size);
+        return all;
+    };
+    const std::vector<double> usual = heights();
+    REQUIRE_FALSE(usual.empty());
+    scale = 2;
+    const std::vector<double> large = heights();
+    REQUIRE(large.size() == usual.size());
+    for (std::size_t i = 0; i < usual.size(); ++i) CHECK(large[i] == Approx(2 * usual[i]));
 }
 
 TEST_CASE_METHOD(Marked, "outlines of shapes are also those of hidden ones") {

@@ -93,6 +93,10 @@ TEST_CASE("a command of several statements prints its last expression") {
     Stage s;
     s.run("world.ball = Body { mass = 7 }");
     CHECK(s.console("local y = 3; y") == "3");
+    s.run("world.weight = Body { mass = 2 }");
+    CHECK(s.console("local y = 3; world.weight.mass") == "2 kg");
+    // A value inside of a block is no result: it ended the loop.
+    CHECK_THAT(s.console("for i = 1, 3 do print(i); i end"), contains("syntax error near 'end'"));
     CHECK(s.console("world.ball.mass = 5; world.ball.mass + 1") == "6|world.ball.mass: 7 → 5 kg");
     CHECK(s.console("local t = { 1; 2 }; #t") == "2");
     CHECK(s.console("local text = 'a; b'; text") == "\"a; b\"");
@@ -115,6 +119,32 @@ TEST_CASE("a child is listed as it is written behind the path of its parent") {
     const std::string all = s.console("world");
     CHECK(all.find("  [\"my ball\"]") != std::string::npos);
     CHECK(all.find("  .plain") != std::string::npos);
+}
+
+TEST_CASE("several commands stand on one line although some of them are no Lua") {
+    Stage s;
+    s.run("world.ball = Body { mass = 2 }");
+    CHECK_THAT(s.console("world.ball.mass = 5; undo"), contains("undo: world.ball.mass = 5"));
+    CHECK(s.console("world.ball.mass") == "2 kg");
+    s.console("redo");
+    const std::string both = s.console("undo; redo");
+    CHECK_THAT(both, contains("undo: world.ball.mass = 5"));
+    CHECK_THAT(both, contains("redo: world.ball.mass = 5"));
+    CHECK(s.console("world.ball.mass") == "5 kg");
+    CHECK_THAT(s.console("undo\nhistory"), contains("(undone) world.ball.mass = 5"));
+    CHECK_THAT(s.console("who world.ball.mass; world.ball.mass"), contains("2 kg"));
+    // Each is a step of undo.
+    s.console("world.ball.mass is 3 + 1; world.ball.height is 1; undo");
+    CHECK(s.console("world.ball.mass") == "4 kg");
+    CHECK_THAT(s.console("world.ball.height"), contains("no such name"));
+    // Values alone are no statements of Lua.
+    CHECK(s.console("world.ball.mass; 1 + 2") == "4 kg|3");
+    // An error ends the line; semicolons in texts and blocks separate nothing.
+    CHECK_THAT(s.console("undo; world.bal; redo"), contains("world.bal: no such name"));
+    CHECK(s.console("print('undo; redo')") == "undo; redo");
+    CHECK(s.console("for i = 1, 2 do print(i); print(i + 1) end") == "1|2|2|3");
+    CHECK_THAT(s.console("undo; redoo"), contains("redoo"));
+    CHECK_THAT(s.console("undo;; ; redo;"), contains("redo: "));
 }
 
 }  // namespace typed_commands_test

@@ -43,6 +43,7 @@ class Canvas : public property::Painter, public Surface {
         return {view_.center, view_.lower(), view_.upper(), view_.picture()};
     }
     double pixels_per_unit() const override { return pixels(1); }
+    double label_scale() const override { return view_.label_scale; }
     void picture(const property::Picture& picture, const property::PictureArea& area,
                  const property::Vec2& lower, const property::Vec2& upper, property::Color tint,
                  bool smooth) override;

@@ -31,6 +31,7 @@ class CameraPainter : public property::Painter {
     void gradient(const property::Gradient& gradient) override { inner_.gradient(gradient); }
     property::Seen seen() const override { return camera_ ? seen_ : inner_.seen(); }
     double pixels_per_unit() const override { return inner_.pixels_per_unit(); }
+    double label_scale() const override { return inner_.label_scale(); }
     void picture(const property::Picture& picture, const property::PictureArea& area,
                  const property::Vec2& lower, const property::Vec2& upper, property::Color tint,
                  bool smooth) override;

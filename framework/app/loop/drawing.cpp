@@ -98,8 +98,10 @@ void draw_transition(property::Painter& painter, const property::Tree& tree, con
     painter.end_screen();
 }
 
+constexpr float usual_text = 15;  // px, the usual size of the console's text
+
 /// Draws the frame rate and a bar for each phase of a frame at the top right.
-void draw_timings(Surface& surface, const Clock& clock) {
+void draw_timings(Surface& surface, const Clock& clock, float scale) {
     struct Row {
         const char* name;
         double ms;
@@ -112,7 +114,8 @@ void draw_timings(Surface& surface, const Clock& clock) {
                                    {"handlers", t.handlers},
                                    {"draw", t.draw},
                                    {"wait", t.wait}}};
-    constexpr float row_height = 17, width = 220, padding = 10;
+    const float row_height = 17 * scale, width = 220 * scale, padding = 10 * scale,
+                high = 12 * scale;
     const float height = row_height * (rows.size() + 1) + 2 * padding;
     const float left = surface.width() - width - 12, top = 12;
     constexpr SurfaceColor ink{230, 233, 240, 255}, pale{150, 158, 172, 255};
@@ -121,18 +124,19 @@ void draw_timings(Surface& surface, const Clock& clock) {
     float y = top + padding;
     std::snprintf(text.data(), text.size(), "%.0f fps   %.1f ms   %lld dropped", clock.fps, t.frame,
                   static_cast<long long>(clock.dropped_steps));
-    surface.text(left + padding, y, text.data(), 12, ink, Face::plain);
+    surface.text(left + padding, y, text.data(), high, ink, Face::plain);
     for (const Row& row : rows) {
         y += row_height;
-        surface.text(left + padding, y, row.name, 12, pale, Face::plain);
+        surface.text(left + padding, y, row.name, high, pale, Face::plain);
         std::snprintf(text.data(), text.size(), "%.2f", row.ms);
-        surface.text(left + width - padding - 34, y, text.data(), 12, ink, Face::plain);
+        surface.text(left + width - padding - 34 * scale, y, text.data(), high, ink, Face::plain);
         // The full length of a bar is 1/60 s.
         const float share = std::min(1.0f, static_cast<float>(row.ms * 60 / 1000));
-        constexpr float bar = 84;
-        fill(surface, left + 76, y + 5, bar, 6, {255, 255, 255, 24});
+        const float bar = 84 * scale, at = left + 76 * scale;
+        fill(surface, at, y + 5 * scale, bar, 6 * scale, {255, 255, 255, 24});
         if (share > 0)
-            fill(surface, left + 76, y + 5, std::max(1.0f, bar * share), 6, {110, 190, 255, 255});
+            fill(surface, at, y + 5 * scale, std::max(1.0f, bar * share), 6 * scale,
+                 {110, 190, 255, 255});
     }
 }
 
@@ -151,7 +155,10 @@ void Loop::draw(Screen& screen, double seconds) {
     Clock& clock = services_.clock;
     const property::Drawing drawing(clock.alpha);
     screen.begin(view.background);
-    const View drawn = view.drawn(tree_, clock.alpha);
+    View drawn = view.drawn(tree_, clock.alpha);
+    float size = 0;  // of the texts of layers, such as the console
+    for (const Layer* layer : layers_) size = std::max(size, layer->text_size());
+    if (size > 0) drawn.label_scale = size / usual_text;
     property::Painter& painter = screen.painter(drawn);
     if (view.show.grid) draw_grid(painter, drawn);
     std::optional<WriterColors> blame;
@@ -178,13 +185,10 @@ void Loop::draw(Screen& screen, double seconds) {
         services_.effects().drawn(screen.apply(*effect));
     Surface& surface = screen.surface();
     const ClipRectangle free = free_area({0, 0, surface.width(), surface.height()});
-    if (blame) {
-        float size = 0;
-        for (const Layer* layer : layers_) size = std::max(size, layer->text_size());
-        blame->draw_legend(surface, free, size);
-    }
+    if (blame) blame->draw_legend(surface, free, size);
     // A layer at the upper edge, such as the console, shows them itself.
-    if (view.show.timings && free.top == 0) draw_timings(surface, clock);
+    if (view.show.timings && free.top == 0)
+        draw_timings(surface, clock, static_cast<float>(drawn.label_scale));
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->draw(screen.surface(), seconds);
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - start;

@@ -98,19 +98,19 @@ std::vector<Wire> wires(const Tree& tree, std::size_t most) {
 }
 
 void draw_wires(property::Painter& painter, const Tree& tree) {
-    const double pixel = 1 / painter.pixels_per_unit();
-    double below = 0;  // px; labels of formulas at the same place are one below the other
+    const double pixel = 1 / painter.pixels_per_unit(), label = painter.label_scale() * pixel;
+    double below = 0;  // labels of formulas at the same place are one below the other
     std::optional<Vec2> last;
     for (const Wire& wire : wires(tree)) {
-        below = last && (*last - wire.to).length() < pixel ? below + 18 : 0;
+        below = last && (*last - wire.to).length() < pixel ? below + 18 * label : 0;
         last = wire.to;
         const bool itself = wire.from && (*wire.from - wire.to).length() < pixel;
         const bool drawn = wire.from && !itself;
         if (drawn) draw_arrow(painter, *wire.from, wire.to, pixel);
         const Vec2 middle = drawn ? Vec2(0.5 * (*wire.from + wire.to)) : wire.to;
         const Vec2 way = drawn ? Vec2(wire.to - *wire.from) : Vec2(0, 0);
-        const Vec2 at = middle + 0.06 * Vec2(-way.y, way.x) + Vec2(0, (22 + below) * pixel);
-        property::draw_label(painter, at, wire.label, 15 * pixel, pale_wire);
+        const Vec2 at = middle + 0.06 * Vec2(-way.y, way.x) + Vec2(0, 22 * label + below);
+        property::draw_label(painter, at, wire.label, 15 * label, pale_wire);
     }
 }
 

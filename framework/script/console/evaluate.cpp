@@ -13,6 +13,7 @@
 #include <calls/errors.h>
 #include <calls/protected.h>
 #include <classes/script_classes.h>
+#include <console/command_forms.h>
 #include <console/echoes.h>
 #include <console/evaluate.h>
 #include <console/help.h>
@@ -246,65 +247,14 @@ bool add_help(lua_State* L, Machine& machine, std::string_view command, Evaluati
     return true;
 }
 
-/// Functions without arguments that may be typed without parentheses.
-bool is_bare_command(std::string_view command) {
-    return command == "undo" || command == "redo" || command == "history" || command == "tweaks" ||
-           command == "clear" || command == "help";
-}
-
-/// The arguments that commas separate, outside of brackets and quotes.
-std::vector<std::string_view> arguments_of(std::string_view text) {
-    std::vector<std::string_view> all;
-    std::size_t begin = 0;
-    int depth = 0;
-    char quote = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quote != 0) {
-            if (c == '\\') ++i;
-            if (c == quote) quote = 0;
-        } else if (c == '"' || c == '\'') {
-            quote = c;
-        } else if (c == '(' || c == '[' || c == '{') {
-            ++depth;
-        } else if (c == ')' || c == ']' || c == '}') {
-            --depth;
-        } else if (c == ',' && depth == 0) {
-            all.push_back(trimmed(text.substr(begin, i - begin)));
-            begin = i + 1;
-        }
-    }
-    all.push_back(trimmed(text.substr(begin)));
-    return all;
-}
-
 // Handles `who world.gravity`, `plot it.mass, it.angle`: the words after the function are its
 // arguments, as texts. Leaves the results on the stack. Returns false if the command has another
 // form.
 bool call_with_words(lua_State* L, std::string_view command) {
-    constexpr std::string_view functions[] = {"who",
-                                              "why",
-                                              "pin",
-                                              "unpin",
-                                              "plot",
-                                              "break_when",
-                                              "unbreak",
-                                              "last_time",
-                                              "find",
-                                              "query",
-                                              "help",
-                                              "keep",
-                                              "reapply_tweaks",
-                                              "drop_tweaks",
-                                              "bookmark",
-                                              "unbookmark",
-                                              "wait",
-                                              "compare_branch"};
     const std::size_t space = command.find(' ');
     if (space == std::string_view::npos) return false;
     const std::string_view name = command.substr(0, space);
-    if (std::find(std::begin(functions), std::end(functions), name) == std::end(functions))
-        return false;
+    if (!takes_words(name)) return false;
     const std::string_view rest = trimmed(command.substr(space));
     // A number of arguments only where there may be several: a condition may contain a comma.
     const std::vector<std::string_view> arguments =
@@ -356,8 +306,43 @@ void take_lines(Machine& machine, Evaluation& evaluation) {
                                    (more == 1 ? " more line" : " more lines"));
 }
 
-void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation) {
+/// Whether the text is a command that can be run alone. Commands that are no Lua, such as `undo`,
+/// set `is_special`.
+bool is_command(lua_State* L, std::string_view text, bool& is_special) {
+    const int top = lua_gettop(L);
+    const Compiled compiled = is_bare_command(text) ? Compiled::wrong : compile(L, text);
+    lua_settop(L, top);
+    if (compiled == Compiled::expression || compiled == Compiled::statements) return true;
+    std::string last;
+    const std::size_t is = text.find(" is ");
+    is_special = is_bare_command(text) || text.ends_with('?') || takes_words(first_word(text)) ||
+                 (is != std::string_view::npos && is_plain_path(trimmed(text.substr(0, is)), last));
+    return is_special;
+}
+
+/// The commands of a line such as `undo; redo`, none of which is a part of a block; none for
+/// another line. A local variable would end with its command. `special`: one at least must be no
+/// Lua.
+std::vector<std::string> several_commands(lua_State* L, std::string_view command, bool special) {
+    std::vector<std::string> all = separate_commands(command);
+    if (all.size() < 2) return {};
+    Sources& sources = machine_of(L).sources;
+    const Sources::Stop stop = sources.stop;
+    bool any_special = !special, each_alone = true;
+    for (const std::string& each : all) {
+        bool is_special = false;
+        each_alone = each_alone && first_word(each) != "local" && is_command(L, each, is_special);
+        any_special = any_special || is_special;
+    }
+    sources.stop = stop;
+    return each_alone && any_special ? all : std::vector<std::string>();
+}
+
+void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& evaluation,
+         std::vector<std::string>& several) {
     if (command == "?") command = "help";
+    several = several_commands(L, command, true);
+    if (!several.empty()) return;
     if (list_by_word(L, command, evaluation.lines)) return;
     if (add_help(L, machine, command, evaluation)) return;
     if (is_bare_command(command)) {
@@ -371,6 +356,8 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
             evaluation.incomplete = true;
             return;
         case Compiled::wrong:
+            several = several_commands(L, command, false);
+            if (!several.empty()) return;
             if (add_formula(L, machine, command)) return;
             if (call_with_words(L, command)) break;
             add_command_hint(L, command);
@@ -382,7 +369,8 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
     }
     machine.budget.check(L);  // a command that was stopped must not print results
     take_lines(machine, evaluation);
-    add_results(L, machine, command, evaluation);
+    const std::vector<std::string> all = separate_commands(command);
+    add_results(L, machine, all.empty() ? command : std::string_view(all.back()), evaluation);
 }
 
 /// Records the instances that a command creates. If the command is stopped because it used too much
@@ -449,6 +437,17 @@ Limits limits(const Machine& machine) {
             .raised_by = machine.host.memory_property};
 }
 
+/// Runs the commands one after the other, until one has an error. Each is a step of undo.
+Evaluation evaluated_in_turn(Machine& machine, const std::vector<std::string>& commands) {
+    Evaluation all;
+    for (const std::string& command : commands) {
+        Evaluation next = evaluate(machine, command);
+        append(all, std::move(next));
+        if (!all.ok) break;
+    }
+    return all;
+}
+
 }  // namespace
 
 Evaluation evaluate(Machine& machine, std::string_view command) {
@@ -461,12 +460,14 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
     if (command.front() == '=') command.remove_prefix(1);
     machine.sources.commands.store(command, machine.sources.texts);
     const std::size_t without_undo = property::edits_without_undo(machine.tree);
+    std::vector<std::string> several;
     {
         const Session session(machine, command);
         CreatedInstances made(machine);
         const Budget::Scope budget(machine.budget, limits(machine));
         const bool ok = protected_run(
-            machine, "console", [&](lua_State* L) { run(L, machine, command, evaluation); }, false);
+            machine, "console",
+            [&](lua_State* L) { run(L, machine, command, evaluation, several); }, false);
         if (!ok) {
             evaluation.error = std::move(machine.errors.caught);
             if (evaluation.error) machine.sources.commands.name_plainly(*evaluation.error);
@@ -481,6 +482,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
         evaluation.ok = ok && !evaluation.incomplete;
         if (!evaluation.incomplete) add_echoes(machine, evaluation);
     }
+    if (!several.empty() && evaluation.ok) return evaluated_in_turn(machine, several);
     if (machine.life.has_tree())
         if (std::string lost = lost_undo(machine, without_undo); !lost.empty())
             evaluation.lines.push_back(std::move(lost));

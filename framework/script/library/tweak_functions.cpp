@@ -1,5 +1,5 @@
 // Functions for tweaks:
-//   tweaks()  keep(pattern)  reapply_tweaks(pattern)  drop_tweaks(pattern)
+//   tweaks()  keep(pattern)  keep_for_all(pattern)  reapply_tweaks(pattern)  drop_tweaks(pattern)
 
 #include <ctime>
 #include <filesystem>
@@ -80,6 +80,7 @@ void log_result(
         line +=
             (i == 0 ? " in " : ", ") + std::filesystem::path(report.files[i]).filename().string();
     print_line(machine, report.count > 0 ? line + behind(report.count) : line);
+    for (const std::string& note : report.notes) print_line(machine, "  " + note);
     for (const std::string& problem : report.problems) print_line(machine, "  " + problem);
 }
 
@@ -88,6 +89,14 @@ int keep(lua_State* L) {
     const std::string pattern = pattern_at(L, "keep");
     note_replay(machine, "keep");
     log_result(machine, "kept", pattern, tweaks_of(machine, "keep").keep(pattern));
+    return 0;
+}
+
+int keep_for_all(lua_State* L) {
+    Machine& machine = machine_of(L);
+    const std::string pattern = pattern_at(L, "keep_for_all");
+    note_replay(machine, "keep_for_all");
+    log_result(machine, "kept", pattern, tweaks_of(machine, "keep_for_all").keep_for_all(pattern));
     return 0;
 }
 
@@ -115,6 +124,7 @@ int drop_tweaks(lua_State* L) {
 void open_tweaks(lua_State* L) {
     add_function<tweaks>(L, "tweaks");
     add_function<keep>(L, "keep");
+    add_function<keep_for_all>(L, "keep_for_all");
     add_function<reapply_tweaks>(L, "reapply_tweaks");
     add_function<drop_tweaks>(L, "drop_tweaks");
 }

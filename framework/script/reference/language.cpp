@@ -104,7 +104,13 @@ const std::vector<GlobalDoc>& global_docs() {
          "Writes the tweaks that match into files which the next run reads: tweaks of an "
          "instance of a scene file into that file, tweaks of an instance that a script made into "
          "`main.tweaks.json` beside `main.lua` (`NAME.tweaks.json` beside a game that is one "
-         "file `NAME.lua`). keep(\"world.ball.*\")."},
+         "file `NAME.lua`). If several instances come from the scene file, the tweaks of one of "
+         "them are written into `main.tweaks.json`, too, for this one only. "
+         "keep(\"world.ball.*\")."},
+        {"keep_for_all", "keep_for_all(pattern: string)",
+         "Writes the tweaks that match as `keep` does, but into the scene file also if several "
+         "instances come from it: all of them have the change when the file is loaded again. "
+         "Values that `keep` has written for one instance in this run are included."},
         {"last_time", "last_time(condition: string|fun(): any)",
          "Searches the kept past for the last step at which the condition was true, and goes "
          "there. If it is true now, it goes to the step at which it became true."},

@@ -179,7 +179,7 @@ class LabelPlaces {
 void draw_names(const property::Tree& tree, HostedWorld& in, Painter& painter, double alpha) {
     // Readable from far, and no larger than needed from near.
     const double pixel = 1 / painter.pixels_per_unit();
-    const double height = std::clamp(0.35, 13 * pixel, 20 * pixel);
+    const double height = painter.label_scale() * std::clamp(0.35, 13 * pixel, 20 * pixel);
     LabelPlaces places(height);
     for (const physics::Body& body : in.world.bodies()) {
         const Vec2 at = Frame(in, body.index(), alpha).point(body.center());

@@ -54,7 +54,8 @@ void draw_scale(double meters_each, double pixel, Painter& painter) {
     painter.begin_screen();
     painter.line({x, y}, {x + wide, y}, ink, 2);
     for (const double end : {x, x + wide}) painter.line({end, y - 4}, {end, y + 4}, ink, 2);
-    painter.text({x + wide + 8, y}, text, 15, ink, property::TextAlign::left);
+    painter.text({x + wide + 8, y}, text, 15 * painter.label_scale(), ink,
+                 property::TextAlign::left);
     painter.end_screen();
 }
 

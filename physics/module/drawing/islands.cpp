@@ -74,7 +74,8 @@ void draw_islands(HostedWorld& in, Painter& painter, double alpha) {
             if (painter.sees(lower, upper)) draw_form(shape, frame, paint, painter);
         }
         const Vec2 at = frame.point(body.center());
-        if (!awake && painter.sees(at, at)) painter.text(at, "z", 0.4, {1, 1, 1, 0.8f});
+        if (!awake && painter.sees(at, at))
+            painter.text(at, "z", 0.4 * painter.label_scale(), {1, 1, 1, 0.8f});
     }
 }
 

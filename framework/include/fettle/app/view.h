@@ -73,6 +73,7 @@ struct View {
     double far() const { return 0.1 * height; }
 
     // For drawing only.
+    double label_scale = 1;  // see Painter::label_scale
     property::Track track{};
     double step_length = 0;  // s, of the last step
 

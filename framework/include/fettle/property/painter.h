@@ -105,6 +105,9 @@ class Painter {
     virtual Seen seen() const { return {}; }
     /// Pixels for each unit of length; 1 if the painter has no pixels.
     virtual double pixels_per_unit() const { return 1; }
+    /// Factor of the size of texts of overlays, which a person may have chosen for a screen of many
+    /// pixels; 1 is the usual size.
+    virtual double label_scale() const { return 1; }
     /// Draws an area of a picture into the box, upright. Neighboring areas of the picture do not
     /// show. `smooth`: pixels are mixed when they are enlarged; otherwise each stays a square.
     /// Bounds in the wrong order mirror the picture.

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <keep/keep_by_path.h>
 #include <keep/keep_in_scene.h>
@@ -22,15 +25,27 @@ using RowState = JournalRow::State;
 /// Keeps rows in files. Each file is read, changed and written once.
 class Keeping {
   public:
-    Keeping(Tweaks::State& state, TweakReport& report) : run_(state, report) {}
+    /// `for_all`: into scene files, also if several instances come from one of them.
+    Keeping(Tweaks::State& state, TweakReport& report, bool for_all)
+        : run_(state, report), for_all_(for_all) {}
 
     void keep(const Rows& rows) {
         for (JournalRow* row : in_stages(rows)) {
-            if (is_of_one_of_several(*row)) {
-                row->file.clear();
-                row->inside.clear();
+            auto file = run_.state.own_file(row->file);
+            const std::size_t others = file ? others_of_scene(*row) : 0;
+            if (others > 0 && for_all_) for_all_rows_.emplace_back(row, others);
+            if (others > 0 && !for_all_) {
+                if (row->kind == Kind::moved) {
+                    refuse_name(*row, *file, others);
+                    continue;
+                }
+                for_one_rows_.push_back({row, file->filename().string(), others});
+                file.reset();
+                if (row->kind == Kind::created || row->kind == Kind::deleted) {
+                    row->file.clear();
+                    row->inside.clear();
+                }
             }
-            const auto file = run_.state.own_file(row->file);
             // The top of a scene is deleted or restored: a script loads the scene, so no scene file
             // can contain this.
             const bool whole =
@@ -56,20 +71,60 @@ class Keeping {
         stages[Stage::created].insert(stages[Stage::created].end(), stages[Stage::value].begin(),
                                       stages[Stage::value].end());
         keep_by_path(run_, stages[Stage::created]);
+        note_for_one();
+        note_for_all();
     }
 
   private:
-    /// Whether the row deletes or makes an instance below one of several that come from its scene
-    /// file: in the file, this would be done to all of them.
-    bool is_of_one_of_several(const JournalRow& row) const {
-        const bool below = row.kind == Kind::deleted ? !row.inside.empty() : !row.file.empty();
-        if ((row.kind != Kind::deleted && row.kind != Kind::created) || !below) return false;
+    /// The number of other instances that come from the scene file of the row: in the file, the
+    /// change would be made in all of them. 0 for a change of the topmost instance that a file
+    /// cannot contain, and for what a file has contained before.
+    std::size_t others_of_scene(const JournalRow& row) const {
+        if (row.kind == Kind::restored || (row.kind == Kind::deleted && row.inside.empty()))
+            return 0;
         const std::string top = run_.row_paths.home_of_top(row);
         const Tree& tree = run_.state.tree;
-        return std::ranges::any_of(run_.state.origins.tops(tree, row.file), [&](Handle other) {
-            return run_.state.attached(other) &&
-                   run_.row_paths.home_of_live(tree.path(other)) != top;
-        });
+        return static_cast<std::size_t>(
+            std::ranges::count_if(run_.state.origins.tops(tree, row.file), [&](Handle other) {
+                return run_.state.attached(other) &&
+                       run_.row_paths.home_of_live(tree.path(other)) != top;
+            }));
+    }
+
+    /// Scripts find instances by their names, so the file of kept tweaks gives none.
+    void refuse_name(const JournalRow& row, const fs::path& file, std::size_t others) {
+        run_.row_report.add_problem(
+            row, file.filename().string() + " has this name for all its " +
+                     std::to_string(others + 1) +
+                     " instances: keep_for_all gives the new one to all of them");
+    }
+
+    static bool is_kept(const JournalRow& row) { return row.state == RowState::kept; }
+
+    void note_for_one() {
+        std::map<std::string, std::vector<const ForOne*>> by_scene;
+        for (const ForOne& each : for_one_rows_)
+            if (is_kept(*each.row)) by_scene[each.scene].push_back(&each);
+        for (const auto& [scene, rows] : by_scene)
+            run_.report.notes.push_back(
+                path_of(*rows.front()->row) +
+                (rows.size() == 1 ? std::string(": ")
+                                  : " and " + std::to_string(rows.size() - 1) + " more: each ") +
+                "for one of " + std::to_string(rows.front()->others + 1) + " instances of " +
+                scene + " only; keep_for_all writes into " + scene + ", for all of them");
+    }
+
+    void note_for_all() {
+        std::map<std::string, std::size_t> others;
+        for (const auto& [row, count] : for_all_rows_)
+            if (is_kept(*row) && row->kept_in == fs::path(row->file).filename().string())
+                others[row->kept_in] = std::max(others[row->kept_in], count);
+        for (const auto& [scene, count] : others)
+            run_.report.notes.push_back(
+                std::to_string(count) +
+                (count == 1 ? " other instance comes from " : " other instances come from ") +
+                scene + (count == 1 ? ", and has" : ", and have") +
+                " the change when the file is loaded again");
     }
 
     /// False, with a report, if two instances of one scene have different values: the file has one.
@@ -129,7 +184,16 @@ class Keeping {
         return false;
     }
 
+    struct ForOne {
+        const JournalRow* row;
+        std::string scene;  // name of its file
+        std::size_t others;
+    };
+
     KeepRun run_;
+    const bool for_all_;
+    std::vector<ForOne> for_one_rows_;
+    std::vector<std::pair<const JournalRow*, std::size_t>> for_all_rows_;
     std::map<fs::path, Rows> scenes_;
     /// Key: file, steps, property.
     std::map<std::tuple<fs::path, std::string, std::string>, const JournalRow*> values_;
@@ -138,7 +202,7 @@ class Keeping {
 
 }  // namespace
 
-TweakReport Tweaks::State::keep(std::string_view pattern) {
+TweakReport Tweaks::State::keep(std::string_view pattern, bool for_all) {
     TweakReport report;
     barriers_to_retry = 0;
     barrier();  // includes the latest edits
@@ -147,12 +211,37 @@ TweakReport Tweaks::State::keep(std::string_view pattern) {
         // between reading and writing.
         const std::shared_ptr<void> locked = files.lock();
         refresh_earlier();
-        Keeping(*this, report).keep(matching(pattern, false));
+        std::vector<JournalRow*> rows = matching(pattern, false);
+        if (for_all) add_kept_for_one(rows, pattern);
+        Keeping(*this, report, for_all).keep(rows);
     } catch (const FileError& error) {
         report.problems.emplace_back(error.what());
     }
     barrier();
     return report;
+}
+
+TweakReport Tweaks::keep(std::string_view pattern) {
+    State& state = usable();
+    if (!state.not_kept_because.empty())
+        throw Error(ErrorKind::rejected, "keep: " + state.not_kept_because);
+    return state.keep(pattern, false);
+}
+
+TweakReport Tweaks::keep_for_all(std::string_view pattern) {
+    State& state = usable();
+    if (!state.not_kept_because.empty())
+        throw Error(ErrorKind::rejected, "keep_for_all: " + state.not_kept_because);
+    return state.keep(pattern, true);
+}
+
+std::size_t Tweaks::others_of_scene(Handle instance) const {
+    const State& state = usable();
+    const auto origin = state.origins.find(instance);
+    if (!origin) return 0;
+    return static_cast<std::size_t>(std::ranges::count_if(
+        state.origins.tops(state.tree, origin->file),
+        [&](Handle top) { return top != origin->top && state.attached(top); }));
 }
 
 }  // namespace fettle::property

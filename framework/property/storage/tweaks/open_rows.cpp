@@ -22,6 +22,17 @@ std::vector<JournalRow*> Tweaks::State::matching(std::string_view text, bool ear
     return rows;
 }
 
+void Tweaks::State::add_kept_for_one(std::vector<JournalRow*>& rows, std::string_view text) {
+    const TweakPattern pattern(text);
+    for (const auto& each : entries) {
+        JournalRow& row = each->row;
+        if (row.kind == Kind::value && row.state == RowState::kept && !row.file.empty() &&
+            row.kept_in == kept.file().filename().string() && !each->away && !each->gone &&
+            pattern.matches(row))
+            rows.push_back(&row);
+    }
+}
+
 void Tweaks::State::refresh_earlier() {
     if (!journal) return;
     journal->refresh(earlier.rows);

@@ -398,7 +398,9 @@ std::vector<Tweak> Tweaks::list() const {
     state_->settle();
     std::vector<Tweak> all;
     const auto add = [&all](const JournalRow& row, bool is_earlier, bool committed) {
-        all.push_back({.path = path_of(row),
+        const bool named = row.kind == JournalRow::Kind::moved;  // a kept one has its new name
+        all.push_back({.path = named ? row.was_text : path_of(row),
+                       .there = named ? row.now : path_of(row),
                        .was = row.was_text,
                        .now = row.now_text,
                        .step = static_cast<std::uint64_t>(row.step),
@@ -467,12 +469,6 @@ void Tweaks::barrier() {
     } catch (const std::exception& error) {
         state_->warn("tweaks cannot be journaled: " + exception_text(error));
     }
-}
-TweakReport Tweaks::keep(std::string_view pattern) {
-    State& state = usable();
-    if (!state.not_kept_because.empty())
-        throw Error(ErrorKind::rejected, "keep: " + state.not_kept_because);
-    return state.keep(pattern);
 }
 TweakReport Tweaks::reapply(std::string_view pattern) {
     return usable().reapply(pattern);

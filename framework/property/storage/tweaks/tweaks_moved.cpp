@@ -136,7 +136,8 @@ void Tweaks::State::homes_changed(const NewPath& now_at) {
             renamed = true;
             if (row.kind != Kind::moved) rekey(its, now);
             row.instance = now;
-            if (row.kind == Kind::moved) row.was_text = row.instance;
+            // The list shows a kept one as it was made.
+            if (row.kind == Kind::moved && row.state != RowState::kept) row.was_text = row.instance;
         }
         index(its);
         if (renamed && row.state == RowState::open && !its.gone) add_to_dirty(its);

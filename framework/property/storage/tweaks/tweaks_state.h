@@ -206,7 +206,9 @@ struct Tweaks::State : EditObserver {
 
     // open_rows.cpp, keeping/: operations on tweaks
     std::vector<JournalRow*> matching(std::string_view pattern, bool earlier_only);
-    TweakReport keep(std::string_view pattern);
+    /// Adds values that were kept for one of several instances of a scene file.
+    void add_kept_for_one(std::vector<JournalRow*>& rows, std::string_view pattern);
+    TweakReport keep(std::string_view pattern, bool for_all);
     TweakReport reapply(std::string_view pattern);
     TweakReport drop(std::string_view pattern);
     void set_state(JournalRow& row, RowState state);

@@ -35,7 +35,8 @@ std::filesystem::path journal_of(const std::filesystem::path& game);
 std::string game_title(const std::filesystem::path& game);
 
 struct Tweak {
-    std::string path;      // "world.ball.mass", or path of an instance
+    std::string path;      // "world.ball.mass", or path of an instance; before a move
+    std::string there;     // the same after a move
     std::string was, now;  // as printed, with units; "is ..." for a formula
     std::uint64_t step = 0;
     std::int64_t time = 0;   // s since 1970
@@ -51,6 +52,7 @@ struct TweakReport {
     std::size_t count = 0;                // number of tweaks without a problem
     std::vector<std::string> files{};     // written
     std::vector<std::string> problems{};  // one line for each tweak with a problem
+    std::vector<std::string> notes{};     // which instances the files change, where it is not clear
 };
 
 /// A tweak of an earlier run as words, which identify it in every run.
@@ -95,7 +97,16 @@ class Tweaks {
 
     /// Writes tweaks where their values came from: into the scene file, or, for instances made by a
     /// script, into NAME.tweaks.json beside the game.
+    /// If several instances come from the scene file, into the same file as those of a script, for
+    /// one instance only.
     TweakReport keep(std::string_view pattern);
+    /// Writes them into scene files in any case: every instance that comes from such a file has
+    /// the change when the file is loaded again. Includes values that were kept for one instance
+    /// in this run.
+    TweakReport keep_for_all(std::string_view pattern);
+    /// The number of other instances in the tree that come from the scene file of the instance; 0
+    /// if it comes from none.
+    std::size_t others_of_scene(Handle instance) const;
     /// Applies tweaks of earlier runs again, as edits of the current writer.
     TweakReport reapply(std::string_view pattern);
     /// Drops tweaks; values do not change.
