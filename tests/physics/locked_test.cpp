@@ -1,6 +1,7 @@
 #include <fettle/physics/host_access.h>
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <regex>
 #include <set>
@@ -201,7 +202,7 @@ std::set<std::pair<std::string, bool>> declared_in(const std::string& file) {
 
 TEST_CASE("the list of methods in these tests has every method of the headers") {
     std::set<std::string> listed;
-    for (const Method& method : every_method()) listed.insert(method.name);
+    for (const Method& method : every_method()) listed.emplace(method.name);
     size_t seen = 0;
     for (const char* file : {"body.h", "shape.h", "joint.h", "sliding_joints.h",
                              "coupling_joints.h", "field.h", "world.h"}) {
@@ -233,7 +234,7 @@ TEST_CASE("no edit is possible inside a function that the world is calling") {
                 INFO(way.name << ": " << method.name);
                 const std::string message = refusal([&] { method.call(things); });
                 CHECK_THAT(message, contains(way.name.substr(0, way.name.find(' '))));
-                const std::string function = method.name.substr(method.name.rfind(':') + 1);
+                const std::string function(method.name.substr(method.name.rfind(':') + 1));
                 // MouseJoint has names of its own for functions that all joints have.
                 if (!method.name.starts_with("MouseJoint")) CHECK_THAT(message, contains(function));
             }
