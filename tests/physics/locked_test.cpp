@@ -3,13 +3,13 @@
 #include <fstream>
 #include <functional>
 #include <memory>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <thread>
 
 #include "catch.h"
 #include "every_method.h"
+#include "patterns.h"
 
 namespace locked_test {
 
@@ -174,14 +174,14 @@ std::string text_of(const std::string& file) {
     std::ifstream in("physics/include/fettle/physics/" + file);
     std::stringstream text;
     text << in.rdbuf();
-    return std::regex_replace(text.str(), std::regex("//[^\n]*"), "");
+    return patterns::without(text.str(), "//[^\n]*");
 }
 
 /// "Body::mass" and whether it is const, for each public method that the header declares.
 std::set<std::pair<std::string, bool>> declared_in(const std::string& file) {
     std::set<std::pair<std::string, bool>> found;
     const std::string text = text_of(file);
-    const std::regex method("(\\w+)\\(([^()]|\\([^()]*\\))*\\)\\s*(const)?\\s*(;|\\{)");
+    const std::string method = "(\\w+)\\(([^()]|\\([^()]*\\))*\\)\\s*(const)?\\s*(;|\\{)";
     for (size_t at = text.find("\nclass "); at != std::string::npos;
          at = text.find("\nclass ", at + 1)) {
         const size_t end = text.find("\n};", at), forward = text.find(';', at);
@@ -192,8 +192,8 @@ std::set<std::pair<std::string, bool>> declared_in(const std::string& file) {
         std::string body = text.substr(begin, end - begin);
         for (const char* part : {"\n  protected:", "\n  private:"})
             body = body.substr(0, body.find(part));
-        for (std::sregex_iterator m(body.begin(), body.end(), method), none; m != none; ++m)
-            found.emplace(name + "::" + (*m)[1].str(), (*m)[3].matched);
+        for (const patterns::Match& match : patterns::all(body, method))
+            found.emplace(name + "::" + match[1], !match[3].empty());
     }
     return found;
 }
