@@ -1,10 +1,9 @@
 // Output with the colors of the console for a terminal.
 
-#include <regex>
-
 #include <fettle/console/terminal_colors.h>
 #include <look/theme.h>
 #include "catch.h"
+#include "patterns.h"
 
 namespace terminal_colors_test {
 
@@ -13,7 +12,7 @@ using namespace fettle;
 namespace {
 
 std::string without_colors(const std::string& text) {
-    return std::regex_replace(text, std::regex("\x1b\\[[0-9;]*m"), "");
+    return patterns::without(text, "\x1b\\[[0-9;]*m");
 }
 
 }  // namespace

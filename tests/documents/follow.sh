@@ -7,6 +7,7 @@
 #   follow.sh --draw DOCUMENT BUILD FOLDER    the same, and writes the pictures of the document in place of comparing them
 #   follow.sh --full DOCUMENT BUILD FOLDER    runs only the blocks marked "full", in the checkout that this file is part of
 #   follow.sh --hosts DOCUMENT BUILD FOLDER   also runs the blocks marked "hosts", which need the packages of `check --hosts`
+#   follow.sh --prepare FOLDER    makes the checkout FOLDER. Where FETTLE_PREPARED names it, the other forms copy it, which is quicker
 #
 # How each kind of block is tested, and what the marks in comments mean, is in docs/design/testing.md.
 set -euo pipefail
@@ -14,9 +15,29 @@ here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
 source "$here/blocks.sh"
 sources=$(cd -- "$here/../.." && pwd -P)
 full=0 draw=0 hosts=0 limit=600  # seconds
+
+# The files of the repository, with changes that are not committed.
+make_checkout() {
+    local checkout=$1
+    mkdir -- "$checkout"
+    if git -C "$sources" rev-parse --git-dir >/dev/null 2>&1; then
+        git -C "$sources" ls-files -z --cached --others --exclude-standard
+    else
+        (cd -- "$sources" && find . -path ./build -prune -o -type f -print0)
+    fi | while IFS= read -r -d '' file; do
+        if [[ -e $sources/$file ]]; then printf '%s\0' "$file"; fi
+    done | tar -C "$sources" --null -T - -cf - | tar -C "$checkout" -xf -
+}
+
 if [[ ${1:-} == --draw ]]; then draw=1; shift; fi
 if [[ ${1:-} == --full ]]; then full=1 limit=3600; shift; fi
 if [[ ${1:-} == --hosts ]]; then hosts=1; shift; fi
+if [[ ${1:-} == --prepare ]]; then
+    rm -rf -- "$2"
+    mkdir -p -- "$(dirname -- "$2")"
+    make_checkout "$2"
+    exit
+fi
 document=$1 folder=$3
 finished=$(cd -- "$2" && pwd -P)
 [[ -x $finished/bin/fettle ]] || { echo "$finished/bin/fettle is not built"; exit 1; }
@@ -36,18 +57,6 @@ folder=$(cd -- "$folder" && pwd -P)
 terminal=$folder/terminal
 checkout=$folder/fettle
 
-# The files of the repository, with changes that are not committed.
-make_checkout() {
-    mkdir -- "$checkout"
-    if git -C "$sources" rev-parse --git-dir >/dev/null 2>&1; then
-        git -C "$sources" ls-files -z --cached --others --exclude-standard
-    else
-        (cd -- "$sources" && find . -path ./build -prune -o -type f -print0)
-    fi | while IFS= read -r -d '' file; do
-        if [[ -e $sources/$file ]]; then printf '%s\0' "$file"; fi
-    done | tar -C "$sources" --null -T - -cf - | tar -C "$checkout" -xf -
-}
-
 # The terminal: a new user's environment, and the programs that replace those which would build and test everything.
 environment=(
     env -i HOME="$folder/home" USER=reader TERM=dumb LANG=C.UTF-8 TMPDIR="${TMPDIR:-/tmp}"
@@ -58,8 +67,10 @@ fi
 if ((full)); then
     environment=(env)
     checkout=$sources
+elif [[ -n ${FETTLE_PREPARED:-} ]]; then
+    cp -a -- "$FETTLE_PREPARED" "$checkout"
 else
-    make_checkout
+    make_checkout "$checkout"
 fi
 printf 'cd %q\n' "$checkout" >"$terminal"
 
@@ -235,3 +246,5 @@ done
 drawing_last=1
 for i in ${last_pictures[@]+"${last_pictures[@]}"}; do draw_picture; done
 printf '%s: %d blocks, all as they stand\n' "$document" "$tested"
+# Forty checkouts would be written to the disk while other tests run. That of a page with an error stays.
+if [[ -n ${FETTLE_PREPARED:-} ]]; then rm -rf -- "$folder"; fi

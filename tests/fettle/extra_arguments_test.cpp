@@ -3,9 +3,9 @@
 
 #include <catch.h>
 
-#include <regex>
 #include <sstream>
 
+#include "patterns.h"
 #include "program.h"
 
 namespace extra_arguments_test {
@@ -17,11 +17,10 @@ TEST_CASE("extra arguments do no harm and are not changed") {
     // Methods with their classes, read from the reference.
     REQUIRE(fettle(folder, {"docs", (folder / "reference").string()}).status == 0);
     std::istringstream reference(folder.text("reference/fettle.lua"));
-    const std::regex method(R"(^function fettle_(\w+):(\w+)\(.*)");
     std::string methods = "local methods = {";
     for (std::string line; std::getline(reference, line);)
-        if (std::smatch match; std::regex_match(line, match, method))
-            methods += match[2].str() + " = \"" + match[1].str() + "\", ";
+        for (const auto& match : patterns::all(line, R"(^function fettle_(\w+):(\w+)\()"))
+            methods += match[2] + " = \"" + match[1] + "\", ";
     folder.write("main.lua", methods + "}" + R"(
 local left_out = { start = true, quit = true, print = true, load_game = true, wait = true, require = true }
 local function fresh() return { a = 1, b = 2, 3 } end

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
 #include <set>
 
 #include "catch.h"
+#include "patterns.h"
 #include "program.h"
 
 namespace formula_effects_test {
@@ -23,7 +23,7 @@ struct Names {
 Names names_of_the_reference() {
     Names names;
     std::ifstream file("docs/reference/fettle.lua");
-    const std::regex line(R"(function ([A-Za-z_0-9]+)(?:([.:])([a-z_0-9]+))?\(.*)");
+    const std::string line = R"(^function ([A-Za-z_0-9]+)(?:([.:])([a-z_0-9]+))?\()";
     std::set<std::string> callbacks = {"start",
                                        "update",
                                        "step",
@@ -48,8 +48,8 @@ Names names_of_the_reference() {
                                        "leave",
                                        "reloaded"};
     for (std::string text; std::getline(file, text);) {
-        std::smatch found;
-        if (!std::regex_match(text, found, line)) continue;
+        const patterns::Match found = patterns::first(text, line);
+        if (found.empty()) continue;
         const std::string owner = found[1], mark = found[2], member = found[3];
         if (member.empty()) {
             if (!callbacks.contains(owner)) names.functions.push_back(owner);

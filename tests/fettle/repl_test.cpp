@@ -10,8 +10,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <regex>
 
+#include "patterns.h"
 #include "program.h"
 
 namespace repl_test {
@@ -92,8 +92,7 @@ class Terminal {
         const ssize_t count = read(terminal_, bytes.data(), bytes.size());
         if (count <= 0) return false;
         screen_.append(bytes.data(), std::size_t(count));
-        static const std::regex color("\x1b\\[[0-9;]*m");
-        screen_ = std::regex_replace(screen_, color, "");
+        screen_ = patterns::without(screen_, "\x1b\\[[0-9;]*m");
         return true;
     }
 

@@ -1,10 +1,10 @@
 #include <fstream>
-#include <regex>
 #include <set>
 #include <sstream>
 
 #include "catch.h"
 #include "every_call.h"
+#include "patterns.h"
 #include "thorough.h"
 
 namespace random_calls_test {
@@ -23,13 +23,11 @@ std::string text_of(const std::string& path) {
 std::set<std::string> functions_in_headers() {
     std::set<std::string> found;
     const std::string umbrella = text_of("bindings/host/include/fettle_host.h");
-    const std::regex include("#include <(fettle/host/\\w+\\.h)>");
-    const std::regex function("\n(?:fettle_code|bool|const char\\*) (fettle_\\w+)\\(");
-    for (std::sregex_iterator it(umbrella.begin(), umbrella.end(), include), end; it != end; ++it) {
-        const std::string text = text_of("bindings/host/include/" + (*it)[1].str());
-        for (std::sregex_iterator each(text.begin(), text.end(), function), none; each != none;
-             ++each)
-            found.insert((*each)[1].str());
+    for (const auto& file : patterns::all(umbrella, "#include <(fettle/host/\\w+\\.h)>")) {
+        const std::string text = text_of("bindings/host/include/" + file[1]);
+        for (const auto& function :
+             patterns::all(text, "\n(?:fettle_code|bool|const char\\*) (fettle_\\w+)\\("))
+            found.insert(function[1]);
     }
     return found;
 }

@@ -1,4 +1,5 @@
 #include <fettle/physics/host_access.h>
+#include <functional>
 #include <memory>
 
 #include "catch.h"

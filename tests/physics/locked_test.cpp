@@ -1,14 +1,15 @@
 #include <fettle/physics/host_access.h>
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <memory>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <thread>
 
 #include "catch.h"
 #include "every_method.h"
+#include "patterns.h"
 
 namespace locked_test {
 
@@ -173,14 +174,14 @@ std::string text_of(const std::string& file) {
     std::ifstream in("physics/include/fettle/physics/" + file);
     std::stringstream text;
     text << in.rdbuf();
-    return std::regex_replace(text.str(), std::regex("//[^\n]*"), "");
+    return patterns::without(text.str(), "//[^\n]*");
 }
 
 /// "Body::mass" and whether it is const, for each public method that the header declares.
 std::set<std::pair<std::string, bool>> declared_in(const std::string& file) {
     std::set<std::pair<std::string, bool>> found;
     const std::string text = text_of(file);
-    const std::regex method("(\\w+)\\(([^()]|\\([^()]*\\))*\\)\\s*(const)?\\s*(;|\\{)");
+    const std::string method = "(\\w+)\\(([^()]|\\([^()]*\\))*\\)\\s*(const)?\\s*(;|\\{)";
     for (size_t at = text.find("\nclass "); at != std::string::npos;
          at = text.find("\nclass ", at + 1)) {
         const size_t end = text.find("\n};", at), forward = text.find(';', at);
@@ -191,8 +192,8 @@ std::set<std::pair<std::string, bool>> declared_in(const std::string& file) {
         std::string body = text.substr(begin, end - begin);
         for (const char* part : {"\n  protected:", "\n  private:"})
             body = body.substr(0, body.find(part));
-        for (std::sregex_iterator m(body.begin(), body.end(), method), none; m != none; ++m)
-            found.emplace(name + "::" + (*m)[1].str(), (*m)[3].matched);
+        for (const patterns::Match& match : patterns::all(body, method))
+            found.emplace(name + "::" + match[1], !match[3].empty());
     }
     return found;
 }
@@ -201,7 +202,7 @@ std::set<std::pair<std::string, bool>> declared_in(const std::string& file) {
 
 TEST_CASE("the list of methods in these tests has every method of the headers") {
     std::set<std::string> listed;
-    for (const Method& method : every_method()) listed.insert(method.name);
+    for (const Method& method : every_method()) listed.emplace(method.name);
     size_t seen = 0;
     for (const char* file : {"body.h", "shape.h", "joint.h", "sliding_joints.h",
                              "coupling_joints.h", "field.h", "world.h"}) {
@@ -233,7 +234,7 @@ TEST_CASE("no edit is possible inside a function that the world is calling") {
                 INFO(way.name << ": " << method.name);
                 const std::string message = refusal([&] { method.call(things); });
                 CHECK_THAT(message, contains(way.name.substr(0, way.name.find(' '))));
-                const std::string function = method.name.substr(method.name.rfind(':') + 1);
+                const std::string function(method.name.substr(method.name.rfind(':') + 1));
                 // MouseJoint has names of its own for functions that all joints have.
                 if (!method.name.starts_with("MouseJoint")) CHECK_THAT(message, contains(function));
             }

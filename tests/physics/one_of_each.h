@@ -3,8 +3,8 @@
 
 #include "scenes.h"
 
-#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scenes {
@@ -77,9 +77,9 @@ inline Things make_things(World& world) {
 }
 
 struct Method {
-    std::string name;  ///< "Body::set_position"
+    std::string_view name;  ///< "Body::set_position"
     bool edits;
-    std::function<void(Things&)> call;
+    void (*call)(Things&);
 };
 
 #define READ(Class, method, object, arguments)                              \

@@ -4,11 +4,15 @@
 #include <cstring>
 
 #include "catch.h"
+#include "check_value.h"
 #include "header_text.h"
 
 namespace definitions_test {
 
 // Each value of a definition in C comes into the object.
+
+using check_value::check_equal;
+using check_value::check_read;
 
 namespace {
 
@@ -31,18 +35,6 @@ struct World {
     fettle_world* world = nullptr;
 };
 
-bool same(float a, float b) {
-    return a == b;
-}
-bool same(fettle_vec2 a, fettle_vec2 b) {
-    return a.x == b.x && a.y == b.y;
-}
-#ifdef FETTLE_PHYSICS_DOUBLE
-bool same(fettle_position a, fettle_position b) {
-    return a.x == b.x && a.y == b.y;
-}
-#endif
-
 /// The number of members of a structure in C. A test compares it with the number that it checks, so
 /// that no new member is forgotten.
 size_t members_in(const std::string& structure) {
@@ -52,13 +44,8 @@ size_t members_in(const std::string& structure) {
     return size_t(std::count(body.begin(), body.end(), ';'));
 }
 
-#define CHECK_READ(object, Type, name)                                         \
-    {                                                                          \
-        INFO(#name);                                                           \
-        Type read = {};                                                        \
-        REQUIRE(fettle_##object##_##name(in.world, id, &read) == FETTLE_DONE); \
-        CHECK(same(read, def.name));                                           \
-    }
+#define CHECK_READ(object, name) \
+    check_read(#name, fettle_##object##_##name, in.world, id, def.name);
 
 }  // namespace
 
@@ -85,25 +72,25 @@ TEST_CASE("each value of the definition of a body in C comes into the body") {
     def.user_data = 77;
     fettle_id id = 0;
     REQUIRE(fettle_world_create_body(in.world, &def, &id) == FETTLE_DONE);
-    CHECK_READ(body, int32_t, type)
-    CHECK_READ(body, fettle_position, position)
-    CHECK_READ(body, fettle_vec2, velocity)
-    CHECK_READ(body, fettle_vec2, force)
-    CHECK_READ(body, fettle_vec2, center)
-    CHECK_READ(body, float, angle)
-    CHECK_READ(body, float, angular_velocity)
-    CHECK_READ(body, float, torque)
-    CHECK_READ(body, float, gravity_scale)
-    CHECK_READ(body, float, linear_damping)
-    CHECK_READ(body, float, angular_damping)
-    CHECK_READ(body, float, sleep_speed)
-    CHECK_READ(body, float, max_speed)
-    CHECK_READ(body, bool, can_sleep)
-    CHECK_READ(body, bool, bullet)
-    CHECK_READ(body, bool, locked_x)
-    CHECK_READ(body, bool, locked_y)
-    CHECK_READ(body, bool, locked_rotation)
-    CHECK_READ(body, uint64_t, user_data)
+    CHECK_READ(body, type)
+    CHECK_READ(body, position)
+    CHECK_READ(body, velocity)
+    CHECK_READ(body, force)
+    CHECK_READ(body, center)
+    CHECK_READ(body, angle)
+    CHECK_READ(body, angular_velocity)
+    CHECK_READ(body, torque)
+    CHECK_READ(body, gravity_scale)
+    CHECK_READ(body, linear_damping)
+    CHECK_READ(body, angular_damping)
+    CHECK_READ(body, sleep_speed)
+    CHECK_READ(body, max_speed)
+    CHECK_READ(body, can_sleep)
+    CHECK_READ(body, bullet)
+    CHECK_READ(body, locked_x)
+    CHECK_READ(body, locked_y)
+    CHECK_READ(body, locked_rotation)
+    CHECK_READ(body, user_data)
     bool is_set = false;
     float value = 0;
     REQUIRE(fettle_body_mass_override(in.world, id, &is_set, &value) == FETTLE_DONE);
@@ -120,8 +107,8 @@ TEST_CASE("each value of the definition of a body in C comes into the body") {
     def.velocity = {};
     def.angular_velocity = 0;
     REQUIRE(fettle_world_create_body(in.world, &def, &id) == FETTLE_DONE);
-    CHECK_READ(body, bool, enabled)
-    CHECK_READ(body, bool, awake)
+    CHECK_READ(body, enabled)
+    CHECK_READ(body, awake)
 }
 
 TEST_CASE("each value of the definition of a shape in C comes into the shape") {
@@ -144,21 +131,21 @@ TEST_CASE("each value of the definition of a shape in C comes into the shape") {
     REQUIRE(fettle_geometry_init(&circle, sizeof circle, FETTLE_SHAPE_CIRCLE) == FETTLE_DONE);
     fettle_id id = 0;
     REQUIRE(fettle_world_create_shape(in.world, &circle, &def, &id) == FETTLE_DONE);
-    CHECK_READ(shape, float, density)
-    CHECK_READ(shape, float, friction)
-    CHECK_READ(shape, float, restitution)
-    CHECK_READ(shape, float, rolling_resistance)
-    CHECK_READ(shape, float, surface_speed)
-    CHECK_READ(shape, bool, sensor)
-    CHECK_READ(shape, bool, hit_events)
-    CHECK_READ(shape, bool, contact_events)
-    CHECK_READ(shape, bool, sensor_events)
-    CHECK_READ(shape, bool, before_solve)
-    CHECK_READ(shape, uint32_t, material)
-    CHECK_READ(shape, int32_t, group)
-    CHECK_READ(shape, uint64_t, category)
-    CHECK_READ(shape, uint64_t, mask)
-    CHECK_READ(shape, uint64_t, user_data)
+    CHECK_READ(shape, density)
+    CHECK_READ(shape, friction)
+    CHECK_READ(shape, restitution)
+    CHECK_READ(shape, rolling_resistance)
+    CHECK_READ(shape, surface_speed)
+    CHECK_READ(shape, sensor)
+    CHECK_READ(shape, hit_events)
+    CHECK_READ(shape, contact_events)
+    CHECK_READ(shape, sensor_events)
+    CHECK_READ(shape, before_solve)
+    CHECK_READ(shape, material)
+    CHECK_READ(shape, group)
+    CHECK_READ(shape, category)
+    CHECK_READ(shape, mask)
+    CHECK_READ(shape, user_data)
 }
 
 TEST_CASE("each value of the definition of a world in C comes into the world") {
@@ -182,31 +169,25 @@ TEST_CASE("each value of the definition of a world in C comes into the world") {
     def.solver = FETTLE_SOLVER_DIRECT;
     fettle_world* world = nullptr;
     REQUIRE(fettle_world_create(&def, &world) == FETTLE_DONE);
-#define CHECK_SETTING(Type, name)                                  \
-    {                                                              \
-        INFO(#name);                                               \
-        Type read = {};                                            \
-        REQUIRE(fettle_world_##name(world, &read) == FETTLE_DONE); \
-        CHECK(same(read, def.name));                               \
-    }
-    CHECK_SETTING(int32_t, substeps)
-    CHECK_SETTING(fettle_vec2, gravity)
-    CHECK_SETTING(float, bounds_friction)
-    CHECK_SETTING(float, bounds_restitution)
-    CHECK_SETTING(float, restitution_threshold)
-    CHECK_SETTING(float, hit_threshold)
-    CHECK_SETTING(float, sleep_speed)
-    CHECK_SETTING(float, sleep_delay)
-    CHECK_SETTING(float, contact_hertz)
-    CHECK_SETTING(float, contact_damping)
-    CHECK_SETTING(float, push_speed)
-    CHECK_SETTING(float, max_speed)
-    CHECK_SETTING(bool, sleeping)
-    CHECK_SETTING(bool, continuous)
-    CHECK_SETTING(bool, persist_events)
-    CHECK_SETTING(int32_t, friction_mix)
-    CHECK_SETTING(int32_t, restitution_mix)
-    CHECK_SETTING(int32_t, solver)
+#define CHECK_SETTING(name) check_read(#name, fettle_world_##name, world, def.name);
+    CHECK_SETTING(substeps)
+    CHECK_SETTING(gravity)
+    CHECK_SETTING(bounds_friction)
+    CHECK_SETTING(bounds_restitution)
+    CHECK_SETTING(restitution_threshold)
+    CHECK_SETTING(hit_threshold)
+    CHECK_SETTING(sleep_speed)
+    CHECK_SETTING(sleep_delay)
+    CHECK_SETTING(contact_hertz)
+    CHECK_SETTING(contact_damping)
+    CHECK_SETTING(push_speed)
+    CHECK_SETTING(max_speed)
+    CHECK_SETTING(sleeping)
+    CHECK_SETTING(continuous)
+    CHECK_SETTING(persist_events)
+    CHECK_SETTING(friction_mix)
+    CHECK_SETTING(restitution_mix)
+    CHECK_SETTING(solver)
 #undef CHECK_SETTING
     bool is_set = false;
     fettle_aabb bounds;
@@ -236,12 +217,12 @@ TEST_CASE("each value of the definition of a mouse joint in C comes into the joi
     fettle_position anchor = {};
     REQUIRE(fettle_mouse_joint_anchor(in.world, id, &anchor) == FETTLE_DONE);
     CHECK((anchor.x == def.anchor.x && anchor.y == def.anchor.y));
-    CHECK_READ(mouse_joint, fettle_position, target)
-    CHECK_READ(mouse_joint, float, hertz)
-    CHECK_READ(mouse_joint, float, damping_ratio)
-    CHECK_READ(mouse_joint, float, max_force)
-    CHECK_READ(joint, bool, enabled)
-    CHECK_READ(joint, uint64_t, user_data)
+    CHECK_READ(mouse_joint, target)
+    CHECK_READ(mouse_joint, hertz)
+    CHECK_READ(mouse_joint, damping_ratio)
+    CHECK_READ(mouse_joint, max_force)
+    CHECK_READ(joint, enabled)
+    CHECK_READ(joint, user_data)
 }
 
 TEST_CASE("each value of the definition of a field in C comes back") {
@@ -278,7 +259,7 @@ TEST_CASE("each value of the definition of a field in C comes back") {
         REQUIRE(fettle_world_create_field(in.world, &def, &id) == FETTLE_DONE);
         REQUIRE(fettle_field_def_init(&back, sizeof back, type) == FETTLE_DONE);
         REQUIRE(fettle_field_definition(in.world, id, &back) == FETTLE_DONE);
-#define CHECK_MEMBER(name) CHECK(back.name == def.name)
+#define CHECK_MEMBER(name) check_equal(#name, back.name, def.name)
         CHECK_MEMBER(type);
         CHECK_MEMBER(has_region);
         CHECK_MEMBER(region.min.x);

@@ -2,12 +2,15 @@
 #include <fettle_physics.h>
 
 #include "catch.h"
+#include "check_value.h"
 
 namespace joint_definitions_test {
 
 // Definitions in C have the defaults of the library, and each of their values comes into the joint.
 
 using namespace fettle::physics;
+using check_value::check_equal;
+using check_value::check_read;
 
 // The members that a type does not have in common with the others, each with a value that is not
 // its default. DO is one of CHECK_DEFAULT, SET and CHECK, of which each has a form for each kind.
@@ -57,12 +60,14 @@ using namespace fettle::physics;
         DO##_NUMBER(type, upper_angle, 2)
 #define FETTLE_FILTER(DO, type)
 
-#define CHECK_DEFAULT_NUMBER(type, name, value) CHECK(def.name == defaults.name);
-#define CHECK_DEFAULT_FLAG(type, name, value) CHECK(def.name == defaults.name);
+#define CHECK_DEFAULT_NUMBER(type, name, value) \
+    check_equal(#type " " #name, def.name, defaults.name);
+#define CHECK_DEFAULT_FLAG CHECK_DEFAULT_NUMBER
 #define CHECK_DEFAULT_OPTIONAL(type, name, value) \
-    CHECK(def.has_##name == defaults.name.has_value());
-#define CHECK_DEFAULT_VECTOR(type, name, at_x, at_y) \
-    CHECK((def.name.x == defaults.name.x && def.name.y == defaults.name.y));
+    check_equal(#type " has_" #name, def.has_##name, defaults.name.has_value());
+#define CHECK_DEFAULT_VECTOR(type, name, at_x, at_y)                \
+    check_equal(#type " " #name " x", def.name.x, defaults.name.x); \
+    check_equal(#type " " #name " y", def.name.y, defaults.name.y);
 #define CHECK_DEFAULT_POINT CHECK_DEFAULT_VECTOR
 
 #define SET_NUMBER(type, name, value) def.name = value;
@@ -73,20 +78,13 @@ using namespace fettle::physics;
 #define SET_VECTOR(type, name, at_x, at_y) def.name = {at_x, at_y};
 #define SET_POINT SET_VECTOR
 
-#define CHECK_VALUE(Type, type, name, expected)                               \
-    {                                                                         \
-        INFO(#type " " #name);                                                \
-        Type value = {};                                                      \
-        REQUIRE(fettle_##type##_##name(world, joint, &value) == FETTLE_DONE); \
-        CHECK(expected);                                                      \
-    }
-#define CHECK_NUMBER(type, name, given) CHECK_VALUE(float, type##_joint, name, value == given)
+#define CHECK_VALUE(type, name, ...) \
+    check_read(#type " " #name, fettle_##type##_##name, world, joint, __VA_ARGS__);
+#define CHECK_NUMBER(type, name, given) CHECK_VALUE(type##_joint, name, given)
 #define CHECK_OPTIONAL CHECK_NUMBER
-#define CHECK_FLAG(type, name, given) CHECK_VALUE(bool, type##_joint, name, value == given)
-#define CHECK_VECTOR(type, name, at_x, at_y) \
-    CHECK_VALUE(fettle_vec2, type##_joint, name, (value.x == at_x && value.y == at_y))
-#define CHECK_POINT(type, name, at_x, at_y) \
-    CHECK_VALUE(fettle_position, type##_joint, name, (value.x == at_x && value.y == at_y))
+#define CHECK_FLAG CHECK_NUMBER
+#define CHECK_VECTOR(type, name, at_x, at_y) CHECK_VALUE(type##_joint, name, {at_x, at_y})
+#define CHECK_POINT CHECK_VECTOR
 
 #define CHECK_TYPE(type, Def, MEMBERS)                                                    \
     {                                                                                     \
@@ -111,15 +109,21 @@ namespace {
 
 template <class InC, class Def>
 void check_common_defaults(const InC& def, const Def& defaults) {
-    CHECK(def.size == sizeof def);
-    CHECK((def.body_a == 0 && def.body_b == 0 && def.user_data == 0));
-    CHECK((def.anchor_a.x == 0 && def.anchor_a.y == 0 && def.anchor_b.x == 0));
-    CHECK((def.collide == defaults.collide && def.enabled == defaults.enabled));
-    CHECK((def.break_force == defaults.break_force && def.break_torque == defaults.break_torque));
-    CHECK(def.report_force == defaults.report_force);
-    CHECK(def.report_torque == defaults.report_torque);
-    CHECK(def.constraint_hertz == defaults.constraint_hertz);
-    CHECK(def.constraint_damping_ratio == defaults.constraint_damping_ratio);
+    check_equal("size", def.size, sizeof def);
+    check_equal("body_a", def.body_a, 0);
+    check_equal("body_b", def.body_b, 0);
+    check_equal("user_data", def.user_data, 0);
+    check_equal("anchor_a", def.anchor_a, {0, 0});
+    check_equal("anchor_b", def.anchor_b, {0, 0});
+    check_equal("collide", def.collide, defaults.collide);
+    check_equal("enabled", def.enabled, defaults.enabled);
+    check_equal("break_force", def.break_force, defaults.break_force);
+    check_equal("break_torque", def.break_torque, defaults.break_torque);
+    check_equal("report_force", def.report_force, defaults.report_force);
+    check_equal("report_torque", def.report_torque, defaults.report_torque);
+    check_equal("constraint_hertz", def.constraint_hertz, defaults.constraint_hertz);
+    check_equal("constraint_damping_ratio", def.constraint_damping_ratio,
+                defaults.constraint_damping_ratio);
 }
 
 template <class InC>
@@ -140,19 +144,19 @@ void set_common(InC& def, fettle_id a, fettle_id b) {
 }
 
 void check_common(const fettle_world* world, fettle_id joint, fettle_id a, fettle_id b) {
-    CHECK_VALUE(fettle_id, joint, body_a, value == a)
-    CHECK_VALUE(fettle_id, joint, body_b, value == b)
-    CHECK_VALUE(fettle_position, joint, anchor_a, (value.x == 0.5f && value.y == 0.25f))
-    CHECK_VALUE(fettle_position, joint, anchor_b, (value.x == -0.5f && value.y == 0.125f))
-    CHECK_VALUE(bool, joint, collide, value)
-    CHECK_VALUE(bool, joint, enabled, !value)
-    CHECK_VALUE(uint64_t, joint, user_data, value == 77)
-    CHECK_VALUE(float, joint, break_force, value == 11)
-    CHECK_VALUE(float, joint, break_torque, value == 12)
-    CHECK_VALUE(float, joint, report_force, value == 13)
-    CHECK_VALUE(float, joint, report_torque, value == 14)
-    CHECK_VALUE(float, joint, constraint_hertz, value == 15)
-    CHECK_VALUE(float, joint, constraint_damping_ratio, value == 16)
+    CHECK_VALUE(joint, body_a, a)
+    CHECK_VALUE(joint, body_b, b)
+    CHECK_VALUE(joint, anchor_a, {0.5f, 0.25f})
+    CHECK_VALUE(joint, anchor_b, {-0.5f, 0.125f})
+    CHECK_VALUE(joint, collide, true)
+    CHECK_VALUE(joint, enabled, false)
+    CHECK_VALUE(joint, user_data, 77)
+    CHECK_VALUE(joint, break_force, 11)
+    CHECK_VALUE(joint, break_torque, 12)
+    CHECK_VALUE(joint, report_force, 13)
+    CHECK_VALUE(joint, report_torque, 14)
+    CHECK_VALUE(joint, constraint_hertz, 15)
+    CHECK_VALUE(joint, constraint_damping_ratio, 16)
 }
 
 }  // namespace

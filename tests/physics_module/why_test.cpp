@@ -2,10 +2,10 @@
 
 #include <fettle/property/explaining.h>
 #include <limits>
-#include <regex>
 
 #include "catch.h"
 #include "game.h"
+#include "patterns.h"
 
 namespace why_test {
 
@@ -30,9 +30,9 @@ std::vector<std::string> lines(Game& game, Handle of, const char* name) {
 /// The sum of the first vectors behind the colons.
 Vec2 sum_of(const std::vector<std::string>& lines) {
     Vec2 sum(0, 0);
-    const std::regex vec(": (\\+ )?vec\\(([^,]+), ([^)]+)\\)");
+    const std::string vec = ": (\\+ )?vec\\(([^,]+), ([^)]+)\\)";
     for (const std::string& line : lines)
-        if (std::smatch found; std::regex_search(line, found, vec))
+        if (const auto found = patterns::first(line, vec); !found.empty())
             sum += Vec2(std::stod(found[2]), std::stod(found[3]));
     return sum;
 }
@@ -40,9 +40,9 @@ Vec2 sum_of(const std::vector<std::string>& lines) {
 /// The sum of the first numbers behind the colons.
 double turns(const std::vector<std::string>& lines) {
     double sum = 0;
-    const std::regex number(": ([-+] )?([-.e0-9]+) rad/s");
+    const std::string number = ": ([-+] )?([-.e0-9]+) rad/s";
     for (const std::string& line : lines)
-        if (std::smatch found; std::regex_search(line, found, number))
+        if (const auto found = patterns::first(line, number); !found.empty())
             sum += (found[1] == "- " ? -1 : 1) * std::stod(found[2]);
     return sum;
 }
@@ -334,10 +334,10 @@ TEST_CASE("mass and center and inertia are sums over the shapes") {
     CHECK(first_numbers(lines(game, body, "inertia")) ==
           Approx(game.number(body, "inertia")).epsilon(1e-5));
     Vec2 center(0, 0);
-    const std::regex part("vec\\(([^,]+), ([^)]+)\\) m, with (\\S+) of");
+    const std::string part = "vec\\(([^,]+), ([^)]+)\\) m, with (\\S+) of";
     for (const std::string& line : lines(game, body, "center")) {
-        std::smatch found;
-        REQUIRE(std::regex_search(line, found, part));
+        const patterns::Match found = patterns::first(line, part);
+        REQUIRE_FALSE(found.empty());
         center += std::stod(found[3]) * Vec2(std::stod(found[1]), std::stod(found[2]));
     }
     CHECK((center - game.vec(body, "center")).length() < 1e-5);
