@@ -1208,7 +1208,7 @@ Ellipse = {}
 
 ---A polygon that may be concave. It collides in convex pieces, but is one shape.
 ---@class Concave : Shape
----@field vertices vec[] Its corners in the coordinates of the body, clockwise or counter-clockwise. An outline that crosses or touches itself is refused, and so is a hole; at most 4096. · m · -1e6 to 1e6 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
+---@field vertices vec[] Its corners in the coordinates of the body, clockwise or counter-clockwise. An outline that crosses or touches itself is refused, and so is a hole; at most 16384. · m · -1e6 to 1e6 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
 local fettle_Concave = {}
 
 ---A polygon that may be concave. It collides in convex pieces, but is one shape.
