@@ -3306,7 +3306,7 @@ function plot(...) end
 ---@return Set|table<string, any>
 function query(pattern) end
 
----Ends the game with that exit status, 0 to 255; 0 without one.
+---Ends the game with that exit status, 0 to 255; 0 without one. It may be a handler: Button { text = "Quit", pressed = quit }.
 ---@param status? integer|boolean
 function quit(status) end
 
