@@ -3618,6 +3618,12 @@ math.mininteger = nil
 ---@return number
 function math.modf(x) end
 
+---Smooth noise, from -1 to 1 and 0 at whole numbers: near points have near values. The same point always has the same value; add a random number to x for another landscape. Hills: math.noise(x / 8) + 0.5 * math.noise(x / 4).
+---@param x number
+---@param y? number
+---@return number
+function math.noise(x, y) end
+
 ---Half a turn in radians.
 ---@type number
 math.pi = nil
