@@ -70,8 +70,18 @@ local function both(wanted, got, words)
     return "expected " .. (words or "") .. a .. ", got " .. b
 end
 
+-- A list of a property or a table of the store as a table; anything else as it is.
+local function plain(value)
+    local kind = type(value) == "userdata" and getmetatable(value)
+    if kind ~= "list" and kind ~= "store" then return value end
+    local copy = {}
+    for key, each in pairs(value) do copy[key] = each end
+    return copy
+end
+
 local function equal(a, b, depth)
     if a == b then return true end
+    a, b = plain(a), plain(b)
     if type(a) ~= "table" or type(b) ~= "table" or depth > 20 then return false end
     for key, value in pairs(a) do
         if not equal(value, b[key], depth + 1) then return false end
@@ -254,6 +264,17 @@ function t:wait_until(condition, seconds)
     if not condition() then
         error("what the test waits for did not come true within " .. tostring(seconds) .. " s", 2)
     end
+end
+
+-- The game must call quit(), at once or in the step that the action waits for. The test ends there.
+function t:quits(action)
+    if type(action) ~= "function" then
+        error("t:quits needs a function after which the game calls quit(), not " .. shown(action), 2)
+    end
+    fettle_test("quits")
+    action()
+    coroutine.yield()
+    error("the game did not call quit()", 2)
 end
 
 function t:press(key) set_input(game.input.keys, key, true) end

@@ -1208,7 +1208,7 @@ Ellipse = {}
 
 ---A polygon that may be concave. It collides in convex pieces, but is one shape.
 ---@class Concave : Shape
----@field vertices vec[] Its corners in the coordinates of the body, clockwise or counter-clockwise. An outline that crosses or touches itself is refused, and so is a hole; at most 4096. · m · -1e6 to 1e6 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
+---@field vertices vec[] Its corners in the coordinates of the body, clockwise or counter-clockwise. An outline that crosses or touches itself is refused, and so is a hole; at most 16384. · m · -1e6 to 1e6 · default {vec(-0.5, -0.5), vec(0.5, -0.5), vec(0.5, 0), vec(0, 0), vec(0, 0.5), vec(-0.5, 0.5)}
 local fettle_Concave = {}
 
 ---A polygon that may be concave. It collides in convex pieces, but is one shape.
@@ -1812,6 +1812,13 @@ function fettle_Tilemap:reload() end
 ---@param layer? string Name of a tile layer; the first one if it is left out.
 ---@param flips? string As tile_flips returns them; not flipped if it is left out.
 function fettle_Tilemap:set_tile(x, y, tile, layer, flips) end
+
+---Changes many cells at once, from column x and row y to the right and downwards. For a whole level it takes a small part of the time of set_tile for each cell.
+---@param x integer Column, from 0 at the left, as the editor counts.
+---@param y integer Row, from 0 at the top, as the editor counts.
+---@param rows any[] A list of tiles for each row, downwards: 0 is an empty cell, -1 leaves the cell as it is.
+---@param layer? string Name of a tile layer; the first one if it is left out.
+function fettle_Tilemap:set_tiles(x, y, rows, layer) end
 
 ---The tile of a cell; 0 if it is empty or outside of the layer.
 ---@param x integer Column, from 0 at the left, as the editor counts.
@@ -3303,7 +3310,7 @@ function plot(...) end
 ---@return Set|table<string, any>
 function query(pattern) end
 
----Ends the game with that exit status, 0 to 255; 0 without one.
+---Ends the game with that exit status, 0 to 255; 0 without one. It may be a handler: Button { text = "Quit", pressed = quit }.
 ---@param status? integer|boolean
 function quit(status) end
 
@@ -3614,6 +3621,12 @@ math.mininteger = nil
 ---@return number
 ---@return number
 function math.modf(x) end
+
+---Smooth noise, from -1 to 1 and 0 at whole numbers: near points have near values. The same point always has the same value; add a random number to x for another landscape. Hills: math.noise(x / 8) + 0.5 * math.noise(x / 4).
+---@param x number
+---@param y? number
+---@return number
+function math.noise(x, y) end
 
 ---Half a turn in radians.
 ---@type number

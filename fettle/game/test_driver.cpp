@@ -64,6 +64,8 @@ property::Value TestDriver::request(std::span<const property::Value> arguments) 
         type(arguments[1].text());
     else if (kind == "picture" && arguments.size() == 3)
         picture_ = {.name = arguments[1].text(), .tolerance = arguments[2].as_double()};
+    else if (kind == "quits" && arguments.size() == 1)
+        waits_for_quit_ = true;
     else if (kind == "done" && arguments.size() == 1)
         done_ = true;
     else

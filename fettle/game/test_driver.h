@@ -41,6 +41,8 @@ class TestDriver {
     /// The tests of the file, in their order.
     const std::vector<std::string>& names() const { return names_; }
     bool done() const { return done_; }
+    /// The test waits for the game to call quit(), which ends the test.
+    bool waits_for_quit() const { return waits_for_quit_; }
 
   private:
     struct Picture {
@@ -59,6 +61,7 @@ class TestDriver {
     std::vector<std::string> names_;
     std::optional<Picture> picture_;
     bool done_ = false;
+    bool waits_for_quit_ = false;
 };
 
 }  // namespace fettle::program

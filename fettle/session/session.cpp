@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <random>
 #include <utility>
 
 #include <fettle/app/error_screen.h>
@@ -127,6 +128,11 @@ void Session::make_files() {
 void Session::read_settings() {
     if (options_.game.empty()) return;
     settings_ = property::read_game_settings(files_, options_.game, FETTLE_VERSION);
+    // A headless run and a test are the same each time.
+    if (settings_.random_seed && !options_.headless && !options_.test) {
+        std::random_device device;
+        settings_.seed = device();
+    }
     if (settings_.icon.empty()) return;
     try {
         files_.note_read(
@@ -348,7 +354,9 @@ void Session::restart() {
         throw property::Error(property::ErrorKind::rejected, "restart: " + why);
     };
     if (tree_.cause().writer != property::Writer::console)
-        refuse("only a command of the console begins the game again");
+        refuse(
+            "only a command of the console begins the game again; a script goes back with "
+            "restore(beginning), if main.lua has beginning = snapshot(), or with go_to_scene");
     if (options_.headless) refuse("only a game in a window begins again");
     run_.restart = true;
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <tuple>
+#include <vector>
 
 #include <fettle/property/error.h>
 #include <fettle/property/value.h>
@@ -116,6 +116,48 @@ std::vector<Edge> remaining_edges(std::vector<Change>& changes) {
     return edges;
 }
 
+/// Where edges begin, and which edges can follow another one. Sorted lists in place of a map: a map
+/// of millions of points takes most of the time of a merge.
+class Junctions {
+  public:
+    explicit Junctions(const std::vector<Edge>& edges) : follows_(edges.size()) {
+        std::vector<End> ends;
+        begins_.reserve(edges.size());
+        ends.reserve(edges.size());
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            begins_.push_back({edges[i].from, i});
+            ends.push_back({edges[i].to, i});
+        }
+        std::ranges::sort(begins_);
+        std::ranges::sort(ends);
+        std::size_t begin = 0;
+        for (const End& end : ends) {
+            while (begin < begins_.size() && begins_[begin].at < end.at) ++begin;
+            follows_[end.edge] = begin;
+        }
+    }
+
+    /// Puts the edges into `ways` that begin where `edge` ends, in their order, without those that
+    /// are `used`. The edge `first` is among them in any case.
+    void leaving(const Edge& edge, std::size_t index, const std::vector<bool>& used,
+                 std::size_t first, std::vector<std::size_t>& ways) const {
+        ways.clear();
+        for (std::size_t i = follows_[index]; i < begins_.size() && begins_[i].at == edge.to; ++i) {
+            const std::size_t way = begins_[i].edge;
+            if (!used[way] || way == first) ways.push_back(way);
+        }
+    }
+
+  private:
+    struct End {
+        Point at;
+        std::size_t edge;
+        auto operator<=>(const End&) const = default;
+    };
+    std::vector<End> begins_;           // by their points, then in the order of the edges
+    std::vector<std::size_t> follows_;  // for each edge, the first of `begins_` at its end
+};
+
 /// The next edge of an outline at a point where several leave: the first one clockwise from the
 /// way back, so that the outline turns left as far as it can and parts that meet in a corner stay
 /// separate.
@@ -165,9 +207,9 @@ std::vector<Outline> merged_outlines(std::span<const Outline> polygons) {
             add_edge(points[i], points[(i + 1) % points.size()], changes);
     }
     const std::vector<Edge> edges = remaining_edges(changes);
-    std::map<Point, std::vector<std::size_t>> leaving;
-    for (std::size_t i = 0; i < edges.size(); ++i) leaving[edges[i].from].push_back(i);
+    const Junctions junctions(edges);
     std::vector<Outline> outlines;
+    std::vector<std::size_t> ways;
     std::vector<bool> used(edges.size(), false);
     for (std::size_t first = 0; first < edges.size(); ++first) {
         if (used[first]) continue;
@@ -175,8 +217,7 @@ std::vector<Outline> merged_outlines(std::span<const Outline> polygons) {
         for (std::size_t edge = first; !used[edge];) {
             used[edge] = true;
             points.push_back(edges[edge].from);
-            std::vector<std::size_t>& ways = leaving[edges[edge].to];
-            std::erase_if(ways, [&](std::size_t way) { return used[way] && way != first; });
+            junctions.leaving(edges[edge], edge, used, first, ways);
             if (ways.empty()) break;
             edge = ways[next_edge(edges[edge], ways, edges)];
         }

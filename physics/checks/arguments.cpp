@@ -241,8 +241,9 @@ void check(const SegmentSurface& surface) {
 namespace {
 
 /// A shape stores the number of its vertices in 24 bits.
-void check_count(const char* what, size_t count) {
-    constexpr size_t most = 1u << 20;
+constexpr size_t most_points = 1u << 20;
+
+void check_count(const char* what, size_t count, size_t most = most_points) {
     if (count > most)
         refuse(what, std::to_string(count) + " points",
                "at most " + std::to_string(most) + " points");
@@ -262,6 +263,7 @@ void check_vertices(std::span<const Vec2> vertices) {
 }
 
 void check_outline(std::span<const Vec2> points) {
+    check_count("vertices", points.size(), Concave::most_vertices);
     check_vertices(points);
     std::vector<Vec2> outline;
     for (const Vec2& v : points) outline.push_back(v);

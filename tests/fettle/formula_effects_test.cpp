@@ -193,6 +193,7 @@ TEST_CASE("a formula can call functions that compute a value and none that chang
                    "Polygon:add_vertex "
                    "SoundSource:play "
                    "SoundSource:stop Synth:mutate Synth:preset Tilemap:reload Tilemap:set_tile "
+                   "Tilemap:set_tiles "
                    "Time:forget_branch Time:go_to Time:name_branch Time:switch_to "
                    "Tween:stop TweenGroup:stop View:shake Voice:stop Widget:focus World:explode "
                    "World:explode_surfaces\ndone\t"));

@@ -57,6 +57,9 @@ TEST_CASE("the seed of game.json is that of random unless the command line has o
     CHECK(seven.out != none.out);
     CHECK(run_with(folder, "{}", chunk, {"--seed", "7"}).out == seven.out);
     CHECK(run_with(folder, R"({"seed": 7})", chunk, {"--seed", "0"}).out == none.out);
+    // Only a run in a window has other numbers each time: tests/window/test_pictures_test.cpp.
+    CHECK(run_with(folder, R"({"seed": "random"})", chunk).out == none.out);
+    CHECK(run_with(folder, R"({"seed": "random"})", chunk, {"--seed", "7"}).out == seven.out);
 }
 
 TEST_CASE("game.json sets whether images are smooth unless an instance sets it") {

@@ -54,9 +54,9 @@ TEST_CASE("each limit of a sandbox is reported with its place and value") {
         {"for i = 1, 1e6 do class('C' .. i, Body) { } end", "10000 classes"},
         {"local t = {} for i = 1, 1e6 do t['p' .. i] = i end class('C', Body)(t)",
          "main.lua:1: C: a class declares at most 10000 properties and functions"},
-        {"local t = {} for i = 1, 5000 do t[i] = vec(i, i % 7) end "
+        {"local t = {} for i = 1, 17000 do t[i] = vec(i, i % 7) end "
          "world.b = Body { Concave { vertices = t } }",
-         "main.lua:1: Concave: there are 5000 points, and at most 4096 are possible"},
+         "main.lua:1: Concave: there are 17000 points, and at most 16384 are possible"},
         {"local t = {} for i = 1, 1e5 do t[i] = 'space' end input.actions.jump = t",
          "an action has 64 keys and buttons at most"},
         {"local all = {} for i = 1, 100 do all[i] = snapshot() end", "64 are held already"},

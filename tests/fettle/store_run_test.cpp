@@ -99,6 +99,42 @@ TEST_CASE("assigning a table copies it and reading gives the table in the store"
           "false\teval:13: this table is no longer in the store: it was replaced or removed\n");
 }
 
+TEST_CASE("a list in the store is the value of a property or an argument as other lists are") {
+    const Folder folder;
+    const Outcome outcome = run(folder, R"(
+        store.points = { vec(1, 2), vec(3, 4) } store.rows = { { "a", 1 }, { "b", 2 } }
+        state("points", store.points)
+        state("rows", {})
+        rows = store.rows
+        table.insert(points, store.points[1])
+        points[1].x = 9 rows[2][1] = "c"
+        world.line = Line { points = store.points }
+        print(points, rows, world.line.points[2])
+        print(store.points, store.rows)
+        rows = { store.rows[2], { "d", 3 } }
+        print(rows)
+        for _, bad in ipairs { { x = 1 }, { [1] = 1, [3] = 3 }, { { name = "a" } } } do
+            store.bad = bad
+            print(select(2, pcall(function() rows = store.bad end)))
+        end
+        print(select(2, pcall(function() rows = store end)))
+        print(rows)
+    )");
+    INFO(outcome.out << outcome.err);
+    CHECK(
+        outcome.out ==
+        "{vec(9, 2), vec(3, 4), vec(1, 2)}\t{{\"a\", 1}, {\"c\", 2}}\tvec(3, 4)\n"
+        "{vec(1, 2), vec(3, 4)}\t{{\"a\", 1}, {\"b\", 2}}\n"
+        "{{\"b\", 2}, {\"d\", 3}}\n"
+        "eval:15: game.rows: a table with named keys (x) is not a value; a vector is vec(x, y), "
+        "a color color(r, g, b), a list has elements 1, 2, 3 ..., and Object { } takes names\n"
+        "eval:15: game.rows: the table has gaps; a list has elements 1, 2, 3 ...\n"
+        "eval:15: game.rows: a table with named keys (name) is not a value; a vector is vec(x, "
+        "y), a color color(r, g, b), a list has elements 1, 2, 3 ..., and Object { } takes names\n"
+        "eval:17: game.rows: the whole store is not a value of a property\n"
+        "{{\"b\", 2}, {\"d\", 3}}\n");
+}
+
 TEST_CASE("tables in the store are sorted and moved and exchanged as other tables are") {
     const Folder folder;
     CHECK(run(folder, R"(

@@ -92,6 +92,14 @@ test("time and values", function(t)
     t:wait_until(function() return world.ball.position.y < 0.6 end)
     expect({ 1, { x = 2 } }):is({ 1, { x = 2 } })
     expect({ 1, 2 }):contains(2)
+    store.rows = { { 1, "a" }, { x = vec(1, 2) } }
+    expect(store.rows):is({ { 1, "a" }, { x = vec(1, 2) } })
+    expect(store.rows):contains({ 1, "a" })
+    expect(store.rows):is_not({ { 1, "a" } })
+    game.rows = { { 1, "a" }, { 2, "b" } }
+    expect(game.rows):is({ { 1, "a" }, { 2, "b" } })
+    expect(game.rows):is_not({ { 1, "a" }, { 2, "c" } })
+    expect(game.rows):contains({ 2, "b" })
     expect("abc"):contains("b")
     expect(1):below(2)
     expect(nil):falsy()
@@ -107,6 +115,21 @@ end)
           "ok    tests/ball.lua: time and values\n"
           "3 tests, 0 failed\n");
     CHECK_FALSE(contains(folder.text("user data/fettle"), "runs"));
+}
+
+TEST_CASE("a test may require that the game quits") {
+    const Folder folder;
+    const Outcome run = run_tests(folder, R"lua(
+test("at once", function(t) t:quits(quit) error("not reached") end)
+test("by a button", function(t)
+    game.menu = Button { text = "Quit", pressed = quit }
+    t:steps(1)
+    t:quits(function() t:click(game.menu) end)
+end)
+)lua");
+    INFO(run.out << run.err);
+    CHECK(run.status == 0);
+    CHECK(contains(run.out, "2 tests, 0 failed\n"));
 }
 
 TEST_CASE("a failed expectation shows values and line and leaves a recording") {
@@ -169,6 +192,8 @@ TEST_CASE("every kind of failure names the line of the test") {
         {"t:steps(9) world.b = Body {} local b = world.b t:steps(9) t:rewind(0.2) print(b.mass)",
          ":2: the Body was deleted at step"},
         {"quit()  t:steps(1)", "the game called quit() before the test ended"},
+        {"t:quits(function() t:steps(3) end)", "the game did not call quit()"},
+        {"t:quits(quit())", "t:quits needs a function after which the game calls quit(), not nil"},
     }));
     const Outcome run = run_tests(folder, "test('it', function(t)\n    " + body + "\nend)\n");
     INFO(body << "\n" << run.out << run.err);

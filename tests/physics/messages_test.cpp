@@ -41,6 +41,19 @@ TEST_CASE("an error in a list of points names the point that is wrong") {
 
     CHECK(refusal([&] { triangle.set_vertices(std::vector<Vec2>((1u << 20) + 1)); }) ==
           "vertices = 1048577 points: expected at most 1048576 points");
+    // The time to cut a concave outline grows fast.
+    const std::string too_many = "vertices = 16385 points: expected at most 16384 points";
+    std::vector<Vec2> teeth;
+    for (int i = 0; i < 16384; ++i) teeth.push_back({float(i), i % 2 == 0 ? 1.0f : 2.0f});
+    teeth.push_back({0, -1});
+    CHECK(refusal([&] { body.add(Concave{teeth}); }) == too_many);
+    CHECK(refusal([&] { (void)convex_pieces(teeth); }) == too_many);
+    Shape corner = body.add(Concave{{{0, 0}, {1, 0}, {0.2f, 0.2f}, {0, 1}}});
+    CHECK(refusal([&] { corner.set_vertices(teeth); }) == too_many);
+    teeth.pop_back();
+    teeth.front() = {0, -1};
+    teeth.back() = {16383, -1};
+    CHECK(refusal([&] { corner.set_vertices(teeth); }) == "nothing was refused");
 
     const std::vector<Vec2> line = {{0, 0}, {nan, 0}};
     CHECK(refusal([&] { (void)without_straight_points(line, false, 0); }) ==

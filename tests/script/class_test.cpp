@@ -445,6 +445,11 @@ TEST_CASE("callbacks get their arguments and quit ends the game") {
     CHECK_FALSE(s.runtime->quit_status());
     s.run("quit(3)");
     CHECK(s.runtime->quit_status() == 3);
+    Stage other;
+    other.run(
+        "game.thing = Object { size = 1 } tween(game.thing, 'size', 2, 0.1):on('finished', quit)");
+    other.step(10);
+    CHECK(other.runtime->quit_status() == 0);
     CHECK_THAT(s.fails("function keypressed(key) end"), contains("did you mean \"key_pressed\""));
     s.run("game.thing = Object {}");
     CHECK_THAT(s.fails("thing = 3"), contains("assign game.thing"));

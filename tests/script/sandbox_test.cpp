@@ -259,7 +259,8 @@ TEST_CASE("an escape is refused with its reason") {
         {"every(1e-9, print)", "shorter than"},
         {"tween(world, 'nope', 1, 1)", "no property"},
         {"restore(1)", "what snapshot() returned"},
-        {"quit('x')", "whole number"},
+        {"quit('x')", "a status is a whole number from 0 to 255, not \"x\""},
+        {"quit({})", "a status is a whole number from 0 to 255, not {}"},
     }));
     CAPTURE(attack);
     Stage s(small_budget());

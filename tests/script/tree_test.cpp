@@ -186,6 +186,9 @@ assert(added.parent == world and added.class == "Body")
     CHECK_THAT(s.fails("Body { mass = 'heavy' }"), contains("Body.mass"));
     CHECK_THAT(s.fails("Body { frction = 1 }"), contains("friction"));
     CHECK_THAT(s.fails("Body { 3 }"), contains("Body: element 1 is an integer"));
+    s.run("class('Sign', Object) { text = '' }");
+    CHECK_THAT(s.fails("Sign { 'hello' }"),
+               contains("must be an instance (write text = \"hello\")"));
     CHECK_THAT(s.fails("Body { world.b }"), contains("has its place already"));
     CHECK_THAT(s.fails("World {}"), contains("World: cannot be made"));
     CHECK_THAT(s.fails("Body 'x'"), contains("needs a table"));

@@ -63,6 +63,10 @@ TEST_CASE("missing settings of a game are empty") {
     CHECK(none.id.empty());
     CHECK(none.console == ConsoleUse::on);
     CHECK_FALSE(none.seed);
+    CHECK_FALSE(none.random_seed);
+    const GameSettings random = settings(R"({"seed": "random"})");
+    CHECK(random.random_seed);
+    CHECK_FALSE(random.seed);
     CHECK_FALSE(none.smooth);
     CHECK_FALSE(none.window.size);
     CHECK(settings(R"({"name": "Marbles"})").title() == "Marbles");
@@ -86,7 +90,9 @@ TEST_CASE("a setting of another type is an error with its place") {
         {R"({"window": {"size": [640]}})", "window.size: expected width and height"},
         {R"({"window": {"size": [640, 0]}})", "window.size: expected width and height"},
         {R"({"window": {"size": [640, 4.5]}})", "window.size: expected width and height"},
-        {R"({"seed": -1})", "seed: expected a whole number that is not negative"},
+        {R"({"seed": -1})",
+         "seed: expected a whole number that is not negative, or \"random\", found"},
+        {R"({"seed": "rand"})", "seed: expected a whole number that is not negative, or"},
         {R"({"console": "onn"})", "console: expected \"on\", \"developer\" or \"off\""},
         {R"({"id": "../other"})", "id: expected an id of letters"},
         {R"({"id": ""})", "id: expected an id of letters"},

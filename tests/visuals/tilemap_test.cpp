@@ -2,6 +2,8 @@
 
 #include <catch.h>
 
+#include <random>
+
 #include <fettle/property/storage/scene.h>
 
 #include "levels.h"
@@ -66,6 +68,56 @@ TEST_CASE_METHOD(Land, "a map without a file has empty cells and the tiles of an
     CHECK(tile(copy, 7, 3) == 2);
     CHECK(tile(copy, 5, 2) == 4);
     CHECK(problems.empty());
+}
+
+TEST_CASE_METHOD(Land, "many cells that are changed at once are as cells that are changed singly") {
+    const auto make = [&](const char* name) {
+        const Handle top = tree.create(tree.class_named("Tilemap"));
+        tree.set(top, "tileset", Value("tiles.tga"));
+        tree.set(top, "cells", Value(Vec2(6, 5)));
+        tree.move(top, tree.root(), name);
+        call(top, "set_tile", {Value(5), Value(4), Value(4)});
+        return top;
+    };
+    const Handle singly = make("singly"), at_once = make("at_once");
+    const auto changes = [&](Handle top) { return tree.get(find(top, "tiles"), "changes"); };
+    std::mt19937 random(7);
+    const auto below = [&](int n) { return static_cast<int>(random() % unsigned(n)); };
+    for (int round = 0; round < 300; ++round) {
+        const int x = below(6), y = below(5);
+        List rows;
+        for (int row = y; row < 1 + y + below(5 - y); ++row) {
+            List tiles;
+            const int end = x + below(7 - x);
+            for (int column = x; column < end; ++column) {
+                const int tile = below(3) == 0 ? below(6) - 1 : 0;
+                tiles.push_back(Value(tile));
+                if (tile >= 0) call(singly, "set_tile", {Value(column), Value(row), Value(tile)});
+            }
+            rows.push_back(Value(tiles));
+        }
+        call(at_once, "set_tiles", {Value(x), Value(y), Value(rows)});
+        CHECK(changes(at_once) == changes(singly));
+        if (below(20) > 0) continue;
+        // A script writes the list in another form.
+        const List other{Value("3: 2=1"), Value("0: 4=2 1=3")};
+        for (const Handle top : {singly, at_once})
+            tree.set(find(top, "tiles"), "changes", Value(other));
+    }
+    const Value before = changes(at_once);
+    const auto set = [&](int x, int y, List rows) {
+        call(at_once, "set_tiles", {Value(x), Value(y), Value(std::move(rows))});
+    };
+    const Value one(List{Value(1), Value(1)});
+    CHECK_THROWS_WITH(set(0, 0, {one, Value(List{Value(1), Value(9)})}),
+                      contains("tile 9: the map has"));
+    CHECK_THROWS_WITH(set(0, 0, {Value(List{Value("wall")})}),
+                      contains("row 1, element 1: expected the number of a tile, got \"wall\""));
+    CHECK_THROWS_WITH(set(5, 0, {one}), contains("cell (6, 0) is outside of the layer \"tiles\""));
+    CHECK_THROWS_WITH(set(0, 4, {one, one}), contains("cell (1, 5) is outside"));
+    CHECK_THROWS_WITH(set(-1, 0, {one}), contains("cell (-1, 0) is outside"));
+    CHECK_THROWS_WITH(set(0, 0, {Value(1)}), contains("list"));
+    CHECK(changes(at_once) == before);
 }
 
 TEST_CASE_METHOD(Land, "bodies meet the solid tiles of a map without a file") {

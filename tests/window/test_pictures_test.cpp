@@ -1,5 +1,5 @@
-// Pictures in tests of games, and the templates of new games as they are drawn, on a virtual
-// display.
+// Pictures in tests of games, the templates of new games as they are drawn, and random numbers of
+// runs in a window, on a virtual display.
 
 #include <catch.h>
 #include <sys/wait.h>
@@ -128,6 +128,23 @@ TEST_CASE("a replay of a failed test ends with what the game draws and with the 
         CHECK(green_share(folder.path / "end.bmp") > 0.6);  // the strip covers the rest
         CHECK(green_share(folder.path / "end.bmp") < 0.95);
     }
+}
+
+TEST_CASE("with a random seed runs in a window differ and a recording has the numbers of its run") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    ::setenv("ALSOFT_DRIVERS", "null", 1);
+    write(folder.path / "game/main.lua", "print(random(1e9 // 1 | 0), random(1e9 // 1 | 0))");
+    write(folder.path / "game/game.json", R"({"seed": "random"})");
+    const Outcome first = on_display(folder, "run game --steps 2 --record game.recording");
+    const Outcome second = on_display(folder, "run game --steps 2");
+    const Outcome given = on_display(folder, "run game --steps 2 --seed 7");
+    INFO(first.out << second.out << given.out);
+    CHECK(first.status == 0);
+    CHECK(first.out != second.out);
+    CHECK(given.out == on_display(folder, "run game --headless --steps 2 --seed 7").out);
+    const Outcome again = on_display(folder, "run --headless --replay game.recording");
+    CHECK(again.out == first.out + "2 steps, each as it was recorded\n");
 }
 
 }  // namespace test_pictures_test

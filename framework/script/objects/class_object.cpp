@@ -25,8 +25,10 @@
 #include <objects/methods.h>
 #include <reference/language.h>
 #include <text/synonyms.h>
+#include <text/words.h>
 #include <values/declarations.h>
 #include <values/recording.h>
+#include <values/short_text.h>
 #include <values/values.h>
 #include <values/writes.h>
 
@@ -77,6 +79,15 @@ class Construction {
     bool finished_ = false;
 };
 
+/// For `Text { "hello" }`: the property that takes the text, as an assignment.
+std::string hint_at_text_property(lua_State* L, const Class& of) {
+    if (lua_type(L, -1) != LUA_TSTRING) return "";
+    for (const char* name : {"text", "image", "file", "map"})
+        if (of.property(name) != nullptr)
+            return hint_to_write(std::string(name) + " = " + short_text(L, lua_gettop(L)));
+    return "";
+}
+
 void adopt_unnamed(lua_State* L, Machine& machine, Construction& now) {
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, 2));
     property::PlainNames plain_names;
@@ -87,7 +98,8 @@ void adopt_unnamed(lua_State* L, Machine& machine, Construction& now) {
             throw Error(ErrorKind::wrong_type, now.of.name() + ": element " + std::to_string(i) +
                                                    " is " + describe_type(L, -1) +
                                                    "; what has no name becomes a child, so it "
-                                                   "must be an instance");
+                                                   "must be an instance" +
+                                                   hint_at_text_property(L, now.of));
         machine.tree.require(box->handle);
         if (!is_orphan(L, machine.tree, -1))
             throw Error(

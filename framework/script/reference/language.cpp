@@ -141,7 +141,8 @@ const std::vector<GlobalDoc>& global_docs() {
          "mass > 5 and position.x < 0\"). It can compare and compute, and calls nothing. The name "
          "of a class is a condition, unless `game` has something of that name: query(\"Body\")."},
         {"quit", "quit(status?: integer|boolean)",
-         "Ends the game with that exit status, 0 to 255; 0 without one."},
+         "Ends the game with that exit status, 0 to 255; 0 without one. It may be a handler: "
+         "Button { text = \"Quit\", pressed = quit }."},
         {"random",
          "random(): number\n"
          "random(n: integer): integer\n"

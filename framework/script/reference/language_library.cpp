@@ -59,6 +59,10 @@ const std::vector<GlobalDoc>& library_docs() {
         {"math.mininteger", "integer", "The least integer."},
         {"math.modf", "math.modf(x: number): number, number",
          "The integral part and the fraction."},
+        {"math.noise", "math.noise(x: number, y?: number): number",
+         "Smooth noise, from -1 to 1 and 0 at whole numbers: near points have near values. The "
+         "same point always has the same value; add a random number to x for another landscape. "
+         "Hills: math.noise(x / 8) + 0.5 * math.noise(x / 4)."},
         {"math.pi", "number", "Half a turn in radians."},
         {"math.rad", "math.rad(x: number): number", "An angle in radians, from degrees."},
         {"math.random",

@@ -27,6 +27,7 @@
 #include <objects/instance_set.h>
 #include <runtime/parts.h>
 #include <runtime/runtime_part.h>
+#include <sandbox/noise.h>
 #include <sandbox/random.h>
 #include <sandbox/sandbox.h>
 #include <values/description.h>
@@ -80,6 +81,7 @@ void open_environment(lua_State* L, Machine& machine) {
     open_sandbox(L);
     open_coroutines(L);
     open_random(L);
+    open_noise(L);
     open_timers(L);
     open_tweens(L);
     open_watch(L);

@@ -19,6 +19,7 @@
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
 #include <values/recording.h>
+#include <values/records.h>
 #include <values/short_text.h>
 #include <values/values.h>
 
@@ -417,11 +418,12 @@ int quit(lua_State* L) {
     std::int64_t status = 0;
     if (lua_isboolean(L, 1)) {
         status = lua_toboolean(L, 1) ? 0 : 1;
-    } else if (!lua_isnoneornil(L, 1)) {
+    } else if (!lua_isnoneornil(L, 1) && !is_record(L, 1)) {  // Button { pressed = quit }
         int whole = 0;
         status = lua_tointegerx(L, 1, &whole);
         if (!whole || status < 0 || status > 255)
-            throw Error(ErrorKind::out_of_range, "quit: a status is a whole number from 0 to 255");
+            throw Error(ErrorKind::out_of_range,
+                        "quit: a status is a whole number from 0 to 255, not " + short_text(L, 1));
     }
     machine_of(L).host.quit_status = static_cast<int>(status);
     return 0;

@@ -28,9 +28,25 @@ constexpr Foreign foreign_names[] = {
     {"Vector2 Vec2 vec2 Vector vector Point", "vec(x, y)"},
     {"printf puts echo println warn", "print(...)"},
     {"range", "for i = 1, n do ... end"},
-    {"instantiate spawn Instance", "world:add(Body { ... })"},
+    {"instantiate Instance", "world:add(Body { ... })"},
+    {"spawn", "world:add(Body { ... }), or game:run(action) for code that waits"},
     {"new", "Body { ... }"},
     {"get_node", "world.name"},
+    {"get_tree", "quit(), time.paused = true or go_to_scene(\"name\")"},
+    {"preload ResourceLoader", "scene.load(\"enemy.json\", world), or image = \"enemy.png\""},
+    {"emit_signal", "a property and watch(path, action)"},
+    {"randomize randomise srand", "\"seed\": \"random\" in game.json"},
+    {"typeof", "type(value), or instance:is_a(\"Body\")"},
+    {"tick", "time.now"},
+    {"json JSON", "store, or a file of Lua that returns a table, for require"},
+    {"btn", "input.move, or input.keys.left"},
+    {"btnp", "input.jump.pressed, after input.actions.jump = { \"space\" }"},
+    {"spr sspr", "Sprite { image = \"hero.png\" }, or pen.image in draw(pen)"},
+    {"cls", "view.background = color(\"black\")"},
+    {"sfx", "Sound { file = \"hit.ogg\" }, or Synth.coin(), and :play()"},
+    {"mget", "map:tile(x, y), of a Tilemap"},
+    {"mset", "map:set_tile(x, y, tile), of a Tilemap"},
+    {"flr", "math.floor(x)"},
     {"pen", "function draw(pen) ... end"},
     {"requestAnimationFrame", "function update(dt) ... end"},
     {"addEventListener", "function key_pressed(key) ... end"},
@@ -63,8 +79,10 @@ constexpr Foreign foreign_functions[] = {
     {"clamp", "math.max(lowest, math.min(x, highest))"},
     {"lerp mix", "a + (b - a) * share"},
     {"sign sgn", "x > 0 and 1 or x < 0 and -1 or 0"},
-    {"contains includes indexof", "for index, value in ipairs(list) do ... end"},
+    {"contains includes indexof find", "for index, value in ipairs(list) do ... end"},
     {"split", "for part in text:gmatch(\"[^,]+\") do ... end"},
+    {"shuffle",
+     "for i = #list, 2, -1 do local j = random(i) list[i], list[j] = list[j], list[i] end"},
     {"exit", "quit()"},
 };
 
@@ -81,7 +99,7 @@ constexpr Foreign foreign_text_methods[] = {
 };
 
 constexpr std::string_view in_math =
-    "sin cos tan asin acos atan sqrt abs floor ceil exp fmod modf min max pi huge";
+    "sin cos tan asin acos atan sqrt abs floor ceil exp fmod modf min max pi huge noise";
 constexpr std::string_view only_files =
     " (a game reaches its own files only, with store, save_game, scene and require)";
 

@@ -208,6 +208,9 @@ std::string hint_of(std::string_view meant) {
 
 std::string hint_at(const std::vector<std::string_view>& meant, std::string_view name,
                     const std::vector<std::string>& known) {
+    // "Position" means position, before the synonyms of that word.
+    for (const std::string& each : known)
+        if (plain(each) == plain(name)) return hint_of("\"" + each + "\"");
     for (const std::string_view way : meant)
         if (const auto written = way.substr(0, way.find(' ')); among(known, written))
             return hint_of("\"" + std::string(written) + "\"");

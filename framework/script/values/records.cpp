@@ -105,6 +105,14 @@ void seal_record(lua_State* L, Machine& machine) {
     lua_setmetatable(L, -2);
 }
 
+bool is_record(lua_State* L, int index) {
+    if (lua_type(L, index) != LUA_TTABLE || lua_getmetatable(L, index) == 0) return false;
+    push_registry(L, machine_of(L).boxes.record);
+    const bool same = lua_rawequal(L, -1, -2) != 0;
+    lua_pop(L, 2);
+    return same;
+}
+
 void push_record(lua_State* L, const Record& record) {
     Machine& machine = machine_of(L);
     luaL_checkstack(L, 8, "record");

@@ -13,6 +13,8 @@ struct Machine;
 /// Pushes the result of a method.
 void push_result(lua_State* L, const property::Result& result);
 void push_record(lua_State* L, const property::Record& record);
+/// Whether the value at `index` is a record, as handlers of events get one.
+bool is_record(lua_State* L, int index);
 /// Makes the table at the top of the stack a record.
 void seal_record(lua_State* L, Machine& machine);
 void open_records(lua_State* L, Machine& machine);

@@ -26,6 +26,12 @@ Store& store_of(lua_State* L) {
     return *store;
 }
 
+[[noreturn]] void refuse_in_formula() {
+    throw Error(ErrorKind::rejected,
+                "the store cannot be read in a formula, which would not notice its changes: copy "
+                "the value to a property");
+}
+
 const StoreBox& store_self(lua_State* L, const char* what) {
     const auto* box = store_at(L, 1);
     if (box == nullptr) refuse_argument(L, 1, what, "a table of the store");
@@ -219,10 +225,7 @@ bool push_store_method(lua_State* L, int index) {
 int store_index(lua_State* L) {
     const StoreBox& self = store_self(L, "store");
     if (self.table == Store::root && push_store_method(L, 2)) return 1;
-    if (machine_of(L).tree.in_formula())
-        throw Error(ErrorKind::rejected,
-                    "the store cannot be read in a formula, which would not notice its changes: "
-                    "copy the value to a property");
+    if (machine_of(L).tree.in_formula()) refuse_in_formula();
     const Store& store = store_of(L);
     const bool possible = lua_type(L, 2) == LUA_TSTRING || lua_type(L, 2) == LUA_TNUMBER;
     const Store::Entry* entry = possible ? find_in(store, self, key_at(L, 2, "store")) : nullptr;
@@ -322,6 +325,22 @@ int store_pairs(lua_State* L) {
 }
 
 }  // namespace
+
+Value stored_list(lua_State* L, const StoreBox& box) {
+    if (machine_of(L).tree.in_formula()) refuse_in_formula();
+    if (box.table == Store::root)
+        throw Error(ErrorKind::wrong_type, "the whole store is not a value of a property");
+    List list;
+    for (const auto& [key, entry] : entries_of(store_of(L), box)) {
+        machine_of(L).budget.charge(L, 1);
+        if (const auto* const name = std::get_if<std::string>(&key)) refuse_named_keys(*name);
+        if (std::get<std::int64_t>(key) != static_cast<std::int64_t>(list.size()) + 1)
+            refuse_gaps();
+        Content content = entry.content;
+        list.push_back(content ? stored_list(L, {Tag::store, entry.table, &content}) : entry.value);
+    }
+    return list;
+}
 
 bool refresh_stored(lua_State* L) {
     if (lua_getiuservalue(L, 1, 1) != LUA_TUSERDATA) {

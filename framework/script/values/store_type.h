@@ -32,6 +32,9 @@ std::string stored_path(lua_State* L);
 /// The entries of a table of the store on one line: `{best = 3, levels = {1, 2}}`.
 std::string stored_text(Machine& machine, const StoreBox& box);
 
+/// A list in the store as the value of a property, with its lists. Throws for a table with names.
+property::Value stored_list(lua_State* L, const StoreBox& box);
+
 /// Makes the metatable, and adds `store` to the table of globals at the top of the stack.
 void open_store(lua_State* L, Machine& machine);
 

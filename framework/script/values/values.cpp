@@ -12,6 +12,7 @@
 #include <values/members.h>
 #include <values/moved_lists.h>
 #include <values/short_text.h>
+#include <values/store_type.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -305,6 +306,8 @@ Value to_value_nested(lua_State* L, int index, int depth) {
                     auto before = machine_of(L).moved_lists.find(box.origin, box.since);
                     return before ? std::move(*before) : list_value(L, box);
                 }
+                case Tag::store:
+                    return stored_list(L, *store_at(L, index));
                 default:
                     break;
             }
@@ -334,13 +337,8 @@ Value table_to_list(lua_State* L, int index, int depth) {
     for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1), ++keys)
         if (lua_type(L, -2) == LUA_TSTRING)
             if (std::string key = string_at(L, -2); !name || key < *name) name = std::move(key);
-    if (name)
-        throw Error(ErrorKind::wrong_type,
-                    "a table with named keys (" + *name +
-                        ") is not a value; a vector is vec(x, y), a color color(r, g, b), a list "
-                        "has elements 1, 2, 3 ..., and Object { } takes names");
-    if (keys != length)
-        throw Error(ErrorKind::wrong_type, "the table has gaps; a list has elements 1, 2, 3 ...");
+    if (name) refuse_named_keys(*name);
+    if (keys != length) refuse_gaps();
     List list;
     list.reserve(length);
     for (lua_Unsigned i = 1; i <= length; ++i) {
@@ -352,6 +350,17 @@ Value table_to_list(lua_State* L, int index, int depth) {
 }
 
 }  // namespace
+
+void refuse_named_keys(const std::string& name) {
+    throw Error(ErrorKind::wrong_type,
+                "a table with named keys (" + name +
+                    ") is not a value; a vector is vec(x, y), a color color(r, g, b), a list has "
+                    "elements 1, 2, 3 ..., and Object { } takes names");
+}
+
+void refuse_gaps() {
+    throw Error(ErrorKind::wrong_type, "the table has gaps; a list has elements 1, 2, 3 ...");
+}
 
 Value to_value(lua_State* L, int index) {
     return to_value_nested(L, index, 0);

@@ -158,6 +158,9 @@ void push_value(lua_State* L, const property::Value& value, const Origin& origin
 /// Throws property::Error(wrong_type) for a Lua value that is not a value of the tree (a function,
 /// a table with named keys).
 property::Value to_value(lua_State* L, int index);
+/// What `to_value` throws for a table that is not a list.
+[[noreturn]] void refuse_named_keys(const std::string& name);
+[[noreturn]] void refuse_gaps();
 /// The same; errors begin with the result of `where()`, the path of a property.
 template <class Where>
 property::Value to_value(lua_State* L, int index, Where where) {

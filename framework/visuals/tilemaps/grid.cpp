@@ -112,34 +112,48 @@ bool Grid::is_written_as(const List& rows) const {
     return true;
 }
 
-Value Grid::change(const Value& list, int x, int y, PackedCell cell) {
+void Grid::put(const Cell& cell) {
+    const auto& [x, y, content] = cell;
     const PackedCell in_file = file_.try_emplace(index(x, y), at(x, y)).first->second;
-    cells_[index(x, y)] = cell;
-    const bool is_new_row = !changes_.contains(y);
-    Row& row = changes_[y];
-    // A cell that is as in the file again is not a change.
-    if (cell == in_file) {
-        row.erase(x);
-        file_.erase(index(x, y));
-    } else {
-        row[x] = cell;
+    cells_[index(x, y)] = content;
+    if (content != in_file) {
+        changes_[y][x] = content;
+        return;
     }
-    const auto number = std::distance(changes_.begin(), changes_.find(y));
-    List rows = list.is(Type::list) ? list.list() : List{};
-    if (!in_order_) {
+    // A cell that is as in the file again is not a change.
+    file_.erase(index(x, y));
+    const auto row = changes_.find(y);
+    if (row == changes_.end()) return;
+    row->second.erase(x);
+    if (row->second.empty()) changes_.erase(row);
+}
+
+Value Grid::change(const Value& list, std::span<const Cell> cells) {
+    if (cells.empty()) return list;
+    const auto [low, high] = std::ranges::minmax(cells, {}, &Cell::y);
+    const auto begin = [&] { return changes_.lower_bound(low.y); };
+    const auto end = [&] { return changes_.upper_bound(high.y); };
+    const auto number = std::distance(changes_.begin(), begin());
+    const auto replaced = std::distance(begin(), end());
+    for (const Cell& cell : cells) put(cell);
+    List rows = in_order_ && list.is(Type::list) ? list.list() : List{};
+    auto from = begin(), to = end();
+    if (in_order_) {
+        const auto first = rows.begin() + number;
+        const auto now = std::distance(from, to);
+        if (now < replaced)
+            rows.erase(first, first + (replaced - now));
+        else
+            rows.insert(first, static_cast<std::size_t>(now - replaced), Value());
+    } else {
         // A script has written the list in another form.
         in_order_ = true;
-        rows.clear();
-        for (const auto& [of, cells] : changes_) rows.emplace_back(text(of, cells));
-    } else if (is_new_row) {
-        rows.insert(rows.begin() + number, Value(text(y, row)));
-    } else {
-        rows[static_cast<std::size_t>(number)] = Value(text(y, row));
+        rows.resize(changes_.size());
+        from = changes_.begin();
+        to = changes_.end();
     }
-    if (row.empty()) {
-        rows.erase(rows.begin() + number);
-        changes_.erase(y);
-    }
+    auto row = rows.begin() + std::distance(changes_.begin(), from);
+    for (; from != to; ++from, ++row) *row = Value(text(from->first, from->second));
     return Value(std::move(rows));
 }
 

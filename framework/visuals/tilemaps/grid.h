@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,9 +57,13 @@ class Grid {
 
     /// Puts all changes in place of those that were there. A text that is not a change is skipped.
     void set_changes(const property::Value& list);
-    /// Changes one cell of the grid and returns `list`, which must have been given to
-    /// `set_changes`, with the change.
-    property::Value change(const property::Value& list, int x, int y, PackedCell cell);
+    struct Cell {
+        int x = 0, y = 0;
+        PackedCell content{};
+    };
+    /// Changes cells of the grid, in neighboring rows, and returns `list`, which must have been
+    /// given to `set_changes`, with the changes.
+    property::Value change(const property::Value& list, std::span<const Cell> cells);
 
   private:
     std::size_t index(std::int64_t x, std::int64_t y) const {
@@ -68,6 +73,7 @@ class Grid {
     using Row = std::map<int, PackedCell>;  // by x
     static std::string text(int y, const Row& row);
     void read_row(const std::string& text);
+    void put(const Cell& cell);
     bool is_written_as(const property::List& rows) const;
 
     int left_ = 0, top_ = 0, width_ = 0, height_ = 0;

@@ -47,6 +47,22 @@ std::uint32_t valid_tile(const LoadedMap& map, const Value& value) {
                                 std::to_string(map.last_tile()) + ", and 0 is none");
 }
 
+/// In the rows of set_tiles: the cell is not changed.
+constexpr std::int64_t leave_cell = -1;
+
+/// Throws if the layer has no such cell.
+void require_cells(const property::Tree& tree, Handle layer, const Grid& cells, std::int64_t x,
+                   std::int64_t y) {
+    if (cells.contains(x, y)) return;
+    throw std::invalid_argument(
+        cell_text(x, y) + " is outside of the layer \"" + tree.name(layer) + "\"" +
+        (cells.width() == 0 ? ", which has no cells: set `cells` to their numbers"
+                            : ": x goes from " + std::to_string(cells.left()) + " to " +
+                                  std::to_string(cells.left() + cells.width() - 1) + ", y from " +
+                                  std::to_string(cells.top()) + " to " +
+                                  std::to_string(cells.top() + cells.height() - 1)));
+}
+
 }  // namespace
 
 /// Throws if the map has neither a file nor a tileset.
@@ -90,30 +106,67 @@ void Tilemaps::set_tile(Handle map, std::span<const Value> given) {
                                     "\": expected letters of \"x\", \"y\", \"d\"");
     const PackedCell next(tile == 0 ? 0 : tile | flips);
     const std::int64_t x = given[0].integer(), y = given[1].integer();
-    Grid& cells = *grid(layer);
-    if (!cells.contains(x, y))
-        throw std::invalid_argument(
-            cell_text(x, y) + " is outside of the layer \"" + tree_->name(layer) + "\"" +
-            (cells.width() == 0 ? ", which has no cells: set `cells` to their numbers"
-                                : ": x goes from " + std::to_string(cells.left()) + " to " +
-                                      std::to_string(cells.left() + cells.width() - 1) +
-                                      ", y from " + std::to_string(cells.top()) + " to " +
-                                      std::to_string(cells.top() + cells.height() - 1)));
-    const PackedCell before = cells.at(x, y);
-    if (before == next) return;
-    LayerRow& row = layer_rows_[tree_->row(layer)];
-    const Value changed = cells.change(row.changes, static_cast<int>(x), static_cast<int>(y), next);
+    require_cells(*tree_, layer, *grid(layer), x, y);
+    const Grid::Cell cell{static_cast<int>(x), static_cast<int>(y), next};
+    change_cells(map, layer, {&cell, 1});
+}
+
+/// Rows of tiles, from the cell (x, y) to the right and downwards.
+void Tilemaps::set_tiles(Handle map, std::span<const Value> given) {
+    const Handle layer = layer_named(map, given[3]);
+    const auto file = required(map);
+    const std::int64_t x = given[0].integer(), y = given[1].integer();
+    if (!given[2].list().empty()) require_cells(*tree_, layer, *grid(layer), x, y);
+    std::vector<Grid::Cell> cells;
+    std::int64_t row = 0;
+    for (const Value& tiles : given[2].list()) {
+        if (!tiles.list().empty()) {
+            const auto last = static_cast<std::int64_t>(tiles.list().size()) - 1;
+            require_cells(*tree_, layer, *grid(layer), x + last, y + row);
+        }
+        std::int64_t column = 0;
+        for (const Value& tile : tiles.list()) {
+            if (!tile.is(Type::integer))
+                throw std::invalid_argument(
+                    "row " + std::to_string(row + 1) + ", element " + std::to_string(column + 1) +
+                    ": expected the number of a tile, got " + property::value_text(tile));
+            if (tile.integer() != leave_cell)
+                cells.push_back({static_cast<int>(x + column), static_cast<int>(y + row),
+                                 PackedCell(valid_tile(*file, tile))});
+            ++column;
+        }
+        ++row;
+    }
+    change_cells(map, layer, cells);
+}
+
+/// Reports the cells that differ, all with one write of `changes`.
+void Tilemaps::change_cells(Handle map, Handle layer, std::span<const Grid::Cell> all) {
+    Grid& grid = *this->grid(layer);
+    std::vector<Grid::Cell> cells;
+    std::vector<PackedCell> before;
+    for (const Grid::Cell& cell : all) {
+        const PackedCell old = grid.at(cell.x, cell.y);
+        if (old == cell.content) continue;
+        cells.push_back(cell);
+        before.push_back(old);
+    }
+    if (cells.empty()) return;
+    const property::Row number = tree_->row(layer);
+    const Value changed = grid.change(layer_rows_[number].changes, cells);
     try {
         tree_->set(layer, *in_layer_.changes, changed);
     } catch (...) {
-        cells.set_changes(row.changes);  // a formula that runs forbids it, for example
+        grid.set_changes(layer_rows_[number].changes);  // a formula that runs forbids it, for example
         throw;
     }
-    row.changes = tree_->peek(layer, *in_layer_.changes);
+    layer_rows_[number].changes = tree_->peek(layer, *in_layer_.changes);
     rows_[tree_->row(map)].outdated = true;
-    tree_->emit(map, *cell_changed_,
-                {Value(layer), Value(x), Value(y), Value(std::int64_t{tile}),
-                 Value(std::int64_t{before.tile()})});
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        tree_->emit(
+            map, *cell_changed_,
+            {Value(layer), Value(std::int64_t{cells[i].x}), Value(std::int64_t{cells[i].y}),
+             Value(std::int64_t{cells[i].content.tile()}), Value(std::int64_t{before[i].tile()})});
 }
 
 Vec2 Tilemaps::cell_at(Handle map, const Vec2& point) {
@@ -196,6 +249,25 @@ std::vector<Method> Tilemaps::cell_methods() {
                 .effect = Effect::tree},
                [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
                    t.set_tile(self, given);
+                   return Value();
+               }),
+        method(*this,
+               {.name = "set_tiles",
+                .parameters = {x_field,
+                               y_field,
+                               {.name = "rows",
+                                .type = Type::list,
+                                .doc = "A list of tiles for each row, downwards: 0 is an empty "
+                                       "cell, -1 leaves the cell as it is.",
+                                .element = Type::list},
+                               layer_field},
+                .required = 3,
+                .doc = "Changes many cells at once, from column x and row y to the right and "
+                       "downwards. For a whole level it takes a small part of the time of "
+                       "set_tile for each cell.",
+                .effect = Effect::tree},
+               [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
+                   t.set_tiles(self, given);
                    return Value();
                }),
     };

@@ -39,6 +39,9 @@ class Tilemaps {
     PackedCell cell(property::Handle map, const property::Value& x, const property::Value& y,
                     const property::Value& layer);
     void set_tile(property::Handle map, std::span<const property::Value> given);
+    void set_tiles(property::Handle map, std::span<const property::Value> given);
+    void change_cells(property::Handle map, property::Handle layer,
+                      std::span<const Grid::Cell> cells);
     property::Vec2 cell_at(property::Handle map, const property::Vec2& point);
     property::Vec2 cell_center(property::Handle map, const property::Value& x,
                                const property::Value& y);

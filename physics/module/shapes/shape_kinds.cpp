@@ -27,8 +27,7 @@ Property rounding(Hosting& hosting, std::string doc) {
                   bound<&Shape::rounding, &Shape::set_rounding>(hosting));
 }
 
-// The time to divide a concave outline grows with the square of the number of its corners.
-constexpr std::size_t most_corners = 4096, most_points = std::size_t{1} << 20;
+constexpr std::size_t most_points = std::size_t{1} << 20;
 
 Value list_of(const auto& points) {
     property::List list;
@@ -126,14 +125,14 @@ void define_ellipse(Hosting& hosting) {
 }
 
 void define_outlines(Hosting& hosting) {
-    define(
-        hosting, 6, "Concave",
-        "A polygon that may be concave. It collides in convex pieces, but is one shape.",
-        {points<most_corners>(
-            hosting, "vertices", std::get<physics::Concave>(hosting.kinds[6].geometry).vertices,
-            700,
-            "Its corners in the coordinates of the body, clockwise or counter-clockwise. An "
-            "outline that crosses or touches itself is refused, and so is a hole; at most 4096.")});
+    define(hosting, 6, "Concave",
+           "A polygon that may be concave. It collides in convex pieces, but is one shape.",
+           {points<physics::Concave::most_vertices>(
+               hosting, "vertices", std::get<physics::Concave>(hosting.kinds[6].geometry).vertices,
+               700,
+               "Its corners in the coordinates of the body, clockwise or counter-clockwise. An "
+               "outline that crosses or touches itself is refused, and so is a hole; at most "
+               "16384.")});
     std::vector<Property> chain = {
         points<most_points>(hosting, "points",
                             std::get<physics::Chain>(hosting.kinds[7].geometry).points, 800,

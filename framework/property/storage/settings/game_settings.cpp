@@ -50,11 +50,6 @@ class SettingsReader {
         if (node.kind != Kind::boolean) refuse(node, "true or false");
         return node.boolean;
     }
-    std::uint64_t natural(const Node& node) {
-        if (node.kind != Kind::integer || node.integer < 0)
-            refuse(node, "a whole number that is not negative");
-        return static_cast<std::uint64_t>(node.integer);
-    }
     std::vector<std::string> texts(const Node& node) {
         if (node.kind != Kind::array) refuse(node, "a list of texts");
         std::vector<std::string> all;
@@ -203,6 +198,15 @@ std::vector<std::string> read_package(SettingsReader& reader, const Document::No
     return exclude;
 }
 
+void read_seed(SettingsReader& reader, const Document::Node& node, GameSettings& settings) {
+    if (node.kind == Document::Kind::text && reader.text(node) == "random")
+        settings.random_seed = true;
+    else if (node.kind == Document::Kind::integer && node.integer >= 0)
+        settings.seed = static_cast<std::uint64_t>(node.integer);
+    else
+        reader.refuse(node, "a whole number that is not negative, or \"random\"");
+}
+
 }  // namespace
 
 GameSettings game_settings(std::string text, const std::string& file_name,
@@ -233,7 +237,7 @@ GameSettings game_settings(std::string text, const std::string& file_name,
                        else if (key == "package")
                            settings.package_exclude = read_package(reader, node);
                        else if (key == "seed")
-                           settings.seed = reader.natural(node);
+                           read_seed(reader, node, settings);
                        else if (key == "memory")
                            settings.memory = read_memory(reader, node);
                        else if (key == "smooth")

@@ -116,7 +116,7 @@ struct Movement {
 
 /// Divides a simple polygon of any orientation into few convex pieces with at most sixteen vertices
 /// each, counter-clockwise. No vertex is added. Throws std::invalid_argument if the outline crosses
-/// or touches itself; the message has the place.
+/// or touches itself, or has more than `Concave::most_vertices`; the message has the place.
 [[nodiscard]] std::vector<std::vector<Vec2>> convex_pieces(std::span<const Vec2> outline);
 
 }  // namespace fettle::physics

@@ -103,7 +103,7 @@ typedef struct fettle_geometry {
     const fettle_vec2* points; /* polygon: any points, it is their hull; concave: its outline;
                                   chain: its points, of which each segment is solid on its left
                                   (from left to right: ground). They are copied. Null: none */
-    uint32_t point_count;      /* 0; at most 2^20 */
+    uint32_t point_count;      /* 0; at most 2^20, of a concave polygon 2^14 */
     bool closed;               /* chain: false; true: a segment from the last point to the first */
 } fettle_geometry;
 

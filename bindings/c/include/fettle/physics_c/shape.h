@@ -117,7 +117,8 @@ fettle_code fettle_shape_vertices(const fettle_world* world, fettle_id shape, fe
                                   uint32_t room, uint32_t* count);
 
 /** Polygon: becomes the hull of the points (m, from -1e6 to 1e6). Concave polygon, chain: these
-    points. Refuses points without such a shape and leaves it as it was. */
+    points, at most 2^14 of a concave polygon. Refuses points without such a shape and leaves it as
+    it was. */
 fettle_code fettle_shape_set_vertices(fettle_world* world, fettle_id shape,
                                       const fettle_vec2* points, uint32_t count);
 

@@ -52,6 +52,7 @@ struct GameSettings {
     /// default of their class.
     std::optional<bool> smooth{};
     std::optional<std::uint64_t> seed{};  // of random()
+    bool random_seed = false;             // each run in a window has a seed of its own
     /// MB that the scripts may use, and MB of what they add to the tree; empty: the default.
     std::optional<std::uint64_t> memory{};
     WindowSettings window{};
