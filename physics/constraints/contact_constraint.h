@@ -97,6 +97,13 @@ CornerPath path_around(const Corner& corner, Vec2 n, const SolverBody& a, const 
     return {gap, gap_after(h) - gap};
 }
 
+/// What impacts before the sub-steps gave the bodies of a contact, as they were at the impact.
+struct BounceSum {
+    float normal[2] = {};                  ///< impulses of the points along the normal
+    Vec2 impulse;                          ///< of b
+    float twist_a = 0.0f, twist_b = 0.0f;  ///< angular impulses; that of a is -twist_a
+};
+
 struct ContactExtra {
     Corner corner;
     uint32_t rolling = 0;  ///< index + 1 of a contact of curved surfaces; 0: none
@@ -112,6 +119,7 @@ struct ContactExtra {
     float approach[2] = {};  ///< relative normal velocity before the step
     float greatest[2] = {};  ///< greatest normal impulse of the sub-steps
     float total[2] = {};     ///< sum of normal impulses over the sub-steps
+    BounceSum bounced;
 
     /// Records the impulses of a sub-step for events and restitution.
     void record(const ContactConstraint& c) {

@@ -166,9 +166,13 @@ void add_bounces(VelocitySums& sums, const SingleContacts& contacts) {
                [&](const ContactConstraint& c, VelocitySums::OfContact& sum, float side) {
                    if (c.extra == 0) return;
                    const ContactExtra& extra = contacts.extras[c.extra - 1];
+                   const BounceSum& first = extra.bounced;
+                   sum.impulse = sum.impulse + side * first.impulse;
                    Twist twist;
+                   twist.add(side, 1.0f, 0.0f, side < 0.0f ? first.twist_a : first.twist_b, 0.0f);
+                   // At the end of the step, or by another solver.
                    for (int k = 0; k < c.count; ++k) {
-                       const float bounced = extra.total[k] - sum.counted[k];
+                       const float bounced = extra.total[k] - sum.counted[k] - first.normal[k];
                        sum.impulse = sum.impulse + side * along(c, bounced, 0.0f);
                        twist.add(side, c.points[k], bounced, 0.0f);
                    }

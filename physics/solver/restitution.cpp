@@ -1,5 +1,5 @@
 #include <solver/contact_solver.h>
-#include <solver/joint_response.h>
+#include <solver/impact_impulses.h>
 #include <solver/solved_pair.h>
 
 #include <cmath>
@@ -11,67 +11,6 @@
 
 namespace fettle::physics::detail {
 namespace {
-
-/// The velocity along the normal that a unit impulse at point i causes at point k, between two
-/// bodies.
-struct PointResponse {
-    float of_first = 0.0f, of_second = 0.0f, between = 0.0f;
-
-    explicit PointResponse(const ContactConstraint& c)
-        : of_first(inverse_or_zero(c.points[0].normal_mass)),
-          of_second(inverse_or_zero(c.points[1].normal_mass)),
-          between(c.coupling_normal) {}
-    float of(int point) const { return point == 0 ? of_first : of_second; }
-};
-
-/// The same with the joints on these bodies.
-struct JointedResponse : PointResponse {
-    JointResponse::Reaction reactions[2];
-
-    JointedResponse(const ContactConstraint& c, JointResponse* joints) : PointResponse(c) {
-        for (int k = 0; k < c.count; ++k) {
-            const ConstraintPoint& p = c.points[k];
-            reactions[k] = joints->reaction_to(
-                Jacobian::along(c.a, c.b, c.normal, p.normal_lever_a, p.normal_lever_b));
-        }
-        // A body that joints hold completely keeps a little mobility, so that no number is divided
-        // by 0.
-        constexpr float least = 1e-5f;
-        of_first = max(of_first - float(reactions[0].reduction(reactions[0])), least * of_first);
-        if (c.count < 2) return;
-        of_second = max(of_second - float(reactions[1].reduction(reactions[1])), least * of_second);
-        between -= float(reactions[0].reduction(reactions[1]));
-    }
-};
-
-/// The impulses at the points of a contact that change the velocities of those that meet by
-/// `wanted`.
-struct Bounce {
-    float impulses[2] = {};
-
-    Bounce(const PointResponse& response, const float (&wanted)[2], const bool (&meets)[2]) {
-        const float k11 = response.of_first, k22 = response.of_second, k12 = response.between;
-        if (meets[0]) impulses[0] = wanted[0] / k11;
-        if (meets[1]) impulses[1] = wanted[1] / k22;
-        if (!meets[0] || !meets[1]) return;
-        // Solves both points together. Solved one after the other, the first would make the body
-        // spin.
-        const float determinant = k11 * k22 - k12 * k12;
-        if (!(determinant > 1e-4f * k11 * k22)) {
-            for (float& impulse : impulses) impulse *= 0.5f;
-            return;
-        }
-        const float p1 = (k22 * wanted[0] - k12 * wanted[1]) / determinant,
-                    p2 = (k11 * wanted[1] - k12 * wanted[0]) / determinant;
-        if (p1 >= 0.0f && p2 >= 0.0f) {
-            impulses[0] = p1;
-            impulses[1] = p2;
-        } else {
-            // The impulse of the other point also reverses the slower one.
-            impulses[wanted[0] > wanted[1] ? 1 : 0] = 0.0f;
-        }
-    }
-};
 
 float velocity_at(const ContactConstraint& c, int point, const SolverBody& a, const SolverBody& b) {
     const ConstraintPoint& p = c.points[point];
@@ -115,6 +54,10 @@ bool turn_to_impact(ContactConstraint& c, const Corner& corner, const SolverBody
     const Vec2 to = normalized({d + approach * time, slip * time});
     p.separation = d * to.x - r;
     c.normal = to.x * c.normal + to.y * right_perp(c.normal);
+    // From the cores to the surfaces.
+    const float r_a = corner.lever_a - p.tangent_lever_a, r_b = p.tangent_lever_b - corner.lever_b;
+    p.tangent_lever_a = to.x * corner.lever_a - to.y * p.normal_lever_a - r_a;
+    p.tangent_lever_b = to.x * corner.lever_b - to.y * p.normal_lever_b + r_b;
     p.normal_lever_a = to.x * p.normal_lever_a + to.y * corner.lever_a;
     p.normal_lever_b = to.x * p.normal_lever_b + to.y * corner.lever_b;
     p.normal_mass = inverse_or_zero(c.inverse_along(c.normal) +
@@ -150,6 +93,11 @@ struct AtImpact {
 std::optional<AtImpact> at_impact(const ContactConstraint& c, const ContactExtra& extra,
                                   const SolverBody& a, const SolverBody& b, float dt) {
     AtImpact impact = {c};
+    // Friction acts where the surfaces meet, and these levers are those at half the gap.
+    for (ConstraintPoint& p : impact.contact.points) {
+        p.tangent_lever_a += 0.5f * p.separation;
+        p.tangent_lever_b -= 0.5f * p.separation;
+    }
     const Corner& corner = extra.corner;
     if (corner.distance == 0.0f || c.count != 1) return impact;
     const float approach = extra.approach[0];
@@ -168,6 +116,16 @@ void push(const ContactConstraint& c, int point, float impulse, std::span<Solver
     const ConstraintPoint& p = c.points[point];
     SolvedPair pair(c, bodies[c.a], bodies[c.b]);
     pair.apply(c.normal, impulse, p.normal_lever_a * impulse, p.normal_lever_b * impulse);
+    pair.store(bodies[c.a], bodies[c.b]);
+}
+
+void push(const ContactConstraint& c, const ImpactResponse& response, const ImpactImpulses& by,
+          std::span<SolverBody> bodies) {
+    for (int k = 0; k < c.count; ++k) push(c, k, by.normal[k], bodies);
+    if (by.tangent == 0.0f) return;
+    SolvedPair pair(c, bodies[c.a], bodies[c.b]);
+    pair.apply(right_perp(c.normal), by.tangent, response.lever_a * by.tangent,
+               response.lever_b * by.tangent);
     pair.store(bodies[c.a], bodies[c.b]);
 }
 
@@ -201,9 +159,8 @@ float velocity_after(float restitution, float velocity, float gap, float change,
 
 /// The points of a contact that meet within the step.
 struct Meeting {
-    float velocity[2] = {};  ///< present ones of the points, m/s
-    float wanted[2] = {};    ///< their changes by the impact, m/s
-    bool meets[2] = {};
+    float velocity[2] = {};  ///< present ones of the points that joints allow, m/s
+    ImpactGoal goal;
     float time = 1.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
 
     /// `jointed`: the bodies have joints, which change what forces do.
@@ -217,22 +174,40 @@ struct Meeting {
             const float closing = velocity[k] + impact.slowed;
             const float change = change_at(c, k, fa, fb);
             const float mean = velocity[k] + 0.5f * float(substeps + 1) * change;
-            meets[k] =
+            goal.meets[k] =
                 closing < -threshold && p.separation + dt * mean < 0.0f && p.normal_mass > 0.0f;
-            if (meets[k]) time = min(time, p.separation / (-dt * mean));
+            if (goal.meets[k]) time = min(time, p.separation / (-dt * mean));
             // Velocities are those half a sub-step before their positions. Without this term, every
             // bounce would lose the work of the forces in a sub-step.
             if (extra.restitution > 0.0f) {
                 const float now = closing + 0.5f * change;
                 const float by_forces = jointed ? 0.0f : float(substeps) * change;
-                wanted[k] =
+                goal.change[k] =
                     velocity_after(extra.restitution, now, p.separation, by_forces, dt) - now;
             } else {
-                wanted[k] = -(velocity[k] + max(p.separation, 0.0f) / dt);
+                goal.change[k] = -(velocity[k] + max(p.separation, 0.0f) / dt);
             }
         }
     }
-    bool any() const { return meets[0] || meets[1]; }
+    /// Friction acts together with the bounce. Without restitution, it acts in the sub-steps, as
+    /// the end of the approach does.
+    void add_friction(const ContactConstraint& c, const ContactExtra& extra,
+                      ImpactResponse& response, const SolverBody& a, const SolverBody& b) {
+        response.add_friction(c, goal.meets, a, b);
+        goal.friction = c.friction;
+        for (int k = 0; k < c.count; ++k) goal.around[k] = 2.0f * velocity[k] + goal.change[k];
+        goal.slip = response.slip_of(c, extra.surface_speed, a, b);
+        goal.end_of_slip = -goal.slip;
+    }
+    void add_friction(const ContactConstraint& c, const ContactExtra& extra,
+                      JointedResponse& response, JointResponse& joints,
+                      std::span<const SolverBody> bodies) {
+        add_friction(c, extra, response, bodies[c.a], bodies[c.b]);
+        response.add_joints_to_friction(c, joints);
+        goal.slip -= float(joints.forbidden(response.to_friction, bodies));
+        goal.end_of_slip = -goal.slip;
+    }
+    bool any() const { return goal.meets[0] || goal.meets[1]; }
     /// A velocity that the joints of the bodies forbid does not bounce: they take it away. A point
     /// at which joints hold the bodies does not bounce if a kinematic body drives them.
     void yield_to_joints(const ContactConstraint& c, const ContactExtra& extra,
@@ -241,10 +216,11 @@ struct Meeting {
         for (int k = 0; k < c.count; ++k) {
             const JointResponse::Reaction& reaction = response.reactions[k];
             const float forbidden = float(joints.forbidden(reaction, bodies));
-            wanted[k] += (1.0f + extra.restitution) * forbidden;
-            meets[k] = meets[k] && velocity[k] - forbidden < -threshold;
+            goal.change[k] += (1.0f + extra.restitution) * forbidden;
+            velocity[k] -= forbidden;
+            goal.meets[k] = goal.meets[k] && velocity[k] < -threshold;
             if (joints.are_driven(reaction))
-                meets[k] = meets[k] && !joints.are_held(reaction, response.of(k));
+                goal.meets[k] = goal.meets[k] && !joints.are_held(reaction, response.of(k));
         }
     }
 };
@@ -258,53 +234,70 @@ struct PairImpact {
     uint32_t constraint = 0;
     ContactConstraint contact;  ///< at the impact
     float time = 0.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
-    PointResponse response;
-    bool meets[2] = {};
-    float after[2] = {};   ///< wanted velocities of the points, m/s
-    float change[2] = {};  ///< in the first round, m/s
+    ImpactResponse response;
+    ImpactGoal goal;      ///< in the first round
+    float after[2] = {};  ///< wanted velocities of the points, m/s
+    float surface_speed = 0.0f;
     float restitution = 0.0f;
-    float worth = 0.0f;      ///< of the velocity that is missing after a round
-    float share = 1.0f;      ///< of the impulses that would be right if it were alone
-    float impulses[2] = {};  ///< of all rounds
-    float added[2] = {};     ///< in the present round
+    float worth = 0.0f;    ///< of the velocity that is missing after a round
+    float share = 1.0f;    ///< of the impulses that would be right if it were alone
+    ImpactImpulses total;  ///< of all rounds
+    ImpactImpulses added;  ///< in the present round
 
     PairImpact(uint32_t index, const ContactConstraint& c, const ContactExtra& extra,
-               const Meeting& meeting)
+               Meeting& meeting, const SolverBody& a, const SolverBody& b)
         : constraint(index),
           contact(c),
           time(meeting.time),
           response(c),
+          surface_speed(extra.surface_speed),
           restitution(extra.restitution),
           worth(extra.restitution) {
-        for (int k = 0; k < c.count; ++k) {
-            meets[k] = meeting.meets[k];
-            change[k] = meeting.wanted[k];
-            after[k] = meeting.velocity[k] + meeting.wanted[k];
-        }
+        if (c.friction > 0.0f) meeting.add_friction(c, extra, response, a, b);
+        goal = meeting.goal;
+        for (int k = 0; k < c.count; ++k) after[k] = meeting.velocity[k] + goal.change[k];
     }
     /// Computes the impulses of a round. False if hardly a change of velocity is missing.
     bool approach(std::span<const SolverBody> bodies, float part) {
         const ContactConstraint& c = contact;
         constexpr float accuracy = 0.001f;
         const SolverBody &a = bodies[c.a], &b = bodies[c.b];
-        float missing[2] = {};
+        ImpactGoal missing = goal;
         bool any = false;
         for (int k = 0; k < c.count; ++k) {
-            if (!meets[k]) continue;
-            missing[k] = after[k] - velocity_at(c, k, a, b);
-            any = any || std::fabs(missing[k]) > accuracy * std::fabs(change[k]);
+            if (!goal.meets[k]) continue;
+            missing.change[k] = after[k] - velocity_at(c, k, a, b);
+            any = any || std::fabs(missing.change[k]) > accuracy * std::fabs(goal.change[k]);
         }
-        added[0] = added[1] = 0.0f;
+        added = {};
+        if (goal.friction > 0.0f) return rub(missing, any, a, b, part);
         if (!any) return false;
-        const Bounce bounce(response, missing, meets);
-        for (int k = 0; k < c.count; ++k) added[k] = max(part * bounce.impulses[k], -impulses[k]);
+        const ImpactImpulses bounce(response, missing);
+        for (int k = 0; k < c.count; ++k)
+            added.normal[k] = max(part * bounce.normal[k], -total.normal[k]);
         return true;
     }
     void add(std::span<SolverBody> bodies) {
-        for (int k = 0; k < contact.count; ++k) {
-            push(contact, k, added[k], bodies);
-            impulses[k] += added[k];
-        }
+        push(contact, response, added, bodies);
+        for (int k = 0; k < contact.count; ++k) total.normal[k] += added.normal[k];
+        total.tangent += added.tangent;
+    }
+
+  private:
+    /// With friction, the impulses of all rounds follow Coulomb's law, not those of each.
+    bool rub(ImpactGoal& missing, bool any, const SolverBody& a, const SolverBody& b, float part) {
+        constexpr float accuracy = 0.001f;
+        missing.end_of_slip =
+            total.along_tangent(response) - response.slip_of(contact, surface_speed, a, b);
+        for (int k = 0; k < contact.count; ++k) missing.change[k] += total.at_point(response, k);
+        const ImpactImpulses right(response, missing);
+        const float tangent = right.tangent - total.tangent;
+        const float greatest = max(std::fabs(goal.change[0]), std::fabs(goal.change[1]));
+        if (!any && !(std::fabs(tangent) * response.slip > accuracy * greatest)) return false;
+        for (int k = 0; k < contact.count; ++k)
+            added.normal[k] = part * (right.normal[k] - total.normal[k]);
+        added.tangent = part * tangent;
+        return true;
     }
 };
 
@@ -386,10 +379,13 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
     const auto mark = [&](uint32_t body) {
         if (moves(bodies[body])) changed[body] = pass;
     };
-    const auto record = [&](ContactExtra& extra, int point, float impulse) {
-        extra.greatest[point] = max(extra.greatest[point], impulse);
-        extra.total[point] += impulse;
-        extra.impact[point] += impulse / float(substeps);
+    const auto record = [&](ContactExtra& extra, const ContactConstraint& met,
+                            const ImpactResponse& response, const ImpactImpulses& by) {
+        for (int k = 0; k < met.count; ++k) {
+            extra.greatest[k] = max(extra.greatest[k], by.normal[k]);
+            extra.total[k] += by.normal[k];
+        }
+        by.add_to(extra.bounced, met, response);
     };
     for (uint32_t i = 0; i < constraints.size(); ++i) {
         const ContactConstraint& c = constraints[i];
@@ -411,42 +407,47 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         Meeting meeting(*impact, extra, a, b, fa, fb, substeps, dt, restitution_threshold, jointed);
         if (!meeting.any()) continue;
         if (!jointed && extra.restitution >= least_worth) {
-            impacts.push_back(PairImpact(i, met, extra, meeting));
+            impacts.push_back(PairImpact(i, met, extra, meeting, a, b));
             // Also if it is left out of this pass: the next one looks at it again.
             mark(c.a);
             mark(c.b);
             continue;
         }
-        const auto apply = [&](const PointResponse& response) {
-            const Bounce bounce(response, meeting.wanted, meeting.meets);
-            for (int k = 0; k < c.count; ++k) {
-                push(met, k, bounce.impulses[k], bodies);
-                record(extra, k, bounce.impulses[k]);
-            }
+        const bool rubs = c.friction > 0.0f && extra.restitution > 0.0f;
+        const auto apply = [&](const ImpactResponse& response) {
+            const ImpactImpulses impulses(response, meeting.goal);
+            push(met, response, impulses, bodies);
+            record(extra, met, response, impulses);
+            for (int k = 0; k < c.count && !rubs; ++k)
+                extra.impact[k] += impulses.normal[k] / float(substeps);
             any = true;
             mark(c.a);
             mark(c.b);
-            return bounce;
+            return impulses;
         };
         if (!jointed) {
-            apply(PointResponse(met));
+            ImpactResponse response(met);
+            if (rubs) meeting.add_friction(met, extra, response, a, b);
+            apply(response);
             continue;
         }
-        const JointedResponse response(met, joints);
+        JointedResponse response(met, joints);
         meeting.yield_to_joints(met, extra, response, *joints, bodies, restitution_threshold);
         if (!meeting.any()) continue;
-        const Bounce bounce = apply(response);
-        for (int k = 0; k < c.count; ++k)
-            if (bounce.impulses[k] != 0.0f)
-                joints->apply(response.reactions[k], double(bounce.impulses[k]), bodies, mark);
+        if (rubs) meeting.add_friction(met, extra, response, *joints, bodies);
+        const ImpactImpulses impulses = apply(response);
+        const auto react = [&](const JointResponse::Reaction& reaction, float impulse) {
+            if (impulse != 0.0f) joints->apply(reaction, double(impulse), bodies, mark);
+        };
+        for (int k = 0; k < c.count; ++k) react(response.reactions[k], impulses.normal[k]);
+        react(response.to_friction, impulses.tangent);
     }
     if (impacts.empty()) return any;
     keep_first(impacts, bodies, bounced.first);
     solve_together(impacts, bodies, bounced.first);
-    for (const PairImpact& impact : impacts) {
-        const ContactConstraint& c = constraints[impact.constraint];
-        for (int k = 0; k < c.count; ++k) record(extras[c.extra - 1], k, impact.impulses[k]);
-    }
+    for (const PairImpact& impact : impacts)
+        record(extras[constraints[impact.constraint].extra - 1], impact.contact, impact.response,
+               impact.total);
     return true;
 }
 
@@ -474,22 +475,21 @@ void ContactSolver::restitute() {
     for (ContactConstraint& c : constraints) {
         if (c.extra == 0 || !(extras[c.extra - 1].restitution > 0.0f)) continue;
         ContactExtra& extra = extras[c.extra - 1];
-        float wanted[2] = {};
-        bool hits[2] = {};
+        ImpactGoal goal;
         for (int k = 0; k < c.count; ++k) {
             const SolverBody &a = bodies[c.a], &b = bodies[c.b];
             const float approach = closing_velocity(c, extra, k, extra.approach[k], a, b);
-            wanted[k] = -extra.restitution * approach - velocity_at(c, k, a, b);
-            hits[k] = approach <= -restitution_threshold && extra.greatest[k] > 0.0f &&
-                      wanted[k] > 0.0f && c.points[k].normal_mass > 0.0f;
+            goal.change[k] = -extra.restitution * approach - velocity_at(c, k, a, b);
+            goal.meets[k] = approach <= -restitution_threshold && extra.greatest[k] > 0.0f &&
+                            goal.change[k] > 0.0f && c.points[k].normal_mass > 0.0f;
         }
-        const Bounce bounce(PointResponse(c), wanted, hits);
+        const ImpactImpulses bounce(ImpactResponse(c), goal);
         for (int k = 0; k < c.count; ++k) {
-            if (!hits[k]) continue;
-            push(c, k, bounce.impulses[k], bodies);
-            c.points[k].normal_impulse += bounce.impulses[k];
+            if (!goal.meets[k]) continue;
+            push(c, k, bounce.normal[k], bodies);
+            c.points[k].normal_impulse += bounce.normal[k];
             extra.greatest[k] = max(extra.greatest[k], c.points[k].normal_impulse);
-            extra.total[k] += bounce.impulses[k];
+            extra.total[k] += bounce.normal[k];
         }
     }
 }
