@@ -156,13 +156,6 @@ JointedResponse::JointedResponse(const ContactConstraint& c, JointResponse* join
     between -= float(reactions[0].reduction(reactions[1]));
 }
 
-void JointedResponse::add_joints_to_friction(const ContactConstraint& c, JointResponse& joints) {
-    to_friction =
-        joints.reaction_to(Jacobian::along(c.a, c.b, right_perp(c.normal), lever_a, lever_b));
-    slip = max(slip - float(to_friction.reduction(to_friction)), least_mobility * slip);
-    for (int k = 0; k < c.count; ++k) by_friction[k] -= float(reactions[k].reduction(to_friction));
-}
-
 ImpactImpulses::ImpactImpulses(const ImpactResponse& response, const ImpactGoal& goal) {
     if (!(goal.friction > 0.0f && response.slip > 0.0f)) {
         bounce(response, goal, normal);

@@ -27,11 +27,8 @@ struct ImpactResponse {
 /// The same with the joints on these bodies.
 struct JointedResponse : ImpactResponse {
     JointResponse::Reaction reactions[2];
-    JointResponse::Reaction to_friction;
 
     JointedResponse(const ContactConstraint& c, JointResponse* joints);
-    /// After `add_friction`.
-    void add_joints_to_friction(const ContactConstraint& c, JointResponse& joints);
 };
 
 /// What an impact changes, m/s.

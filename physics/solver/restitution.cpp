@@ -190,21 +190,13 @@ struct Meeting {
         }
     }
     /// Friction acts together with the bounce. Without restitution, it acts in the sub-steps, as
-    /// the end of the approach does.
+    /// the end of the approach does; on jointed bodies, too.
     void add_friction(const ContactConstraint& c, const ContactExtra& extra,
                       ImpactResponse& response, const SolverBody& a, const SolverBody& b) {
         response.add_friction(c, goal.meets, a, b);
         goal.friction = c.friction;
         for (int k = 0; k < c.count; ++k) goal.around[k] = 2.0f * velocity[k] + goal.change[k];
         goal.slip = response.slip_of(c, extra.surface_speed, a, b);
-        goal.end_of_slip = -goal.slip;
-    }
-    void add_friction(const ContactConstraint& c, const ContactExtra& extra,
-                      JointedResponse& response, JointResponse& joints,
-                      std::span<const SolverBody> bodies) {
-        add_friction(c, extra, response, bodies[c.a], bodies[c.b]);
-        response.add_joints_to_friction(c, joints);
-        goal.slip -= float(joints.forbidden(response.to_friction, bodies));
         goal.end_of_slip = -goal.slip;
     }
     bool any() const { return goal.meets[0] || goal.meets[1]; }
@@ -413,7 +405,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
             mark(c.b);
             continue;
         }
-        const bool rubs = c.friction > 0.0f && extra.restitution > 0.0f;
+        const bool rubs = c.friction > 0.0f && extra.restitution > 0.0f && !jointed;
         const auto apply = [&](const ImpactResponse& response) {
             const ImpactImpulses impulses(response, meeting.goal);
             push(met, response, impulses, bodies);
@@ -434,13 +426,10 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         JointedResponse response(met, joints);
         meeting.yield_to_joints(met, extra, response, *joints, bodies, restitution_threshold);
         if (!meeting.any()) continue;
-        if (rubs) meeting.add_friction(met, extra, response, *joints, bodies);
         const ImpactImpulses impulses = apply(response);
-        const auto react = [&](const JointResponse::Reaction& reaction, float impulse) {
-            if (impulse != 0.0f) joints->apply(reaction, double(impulse), bodies, mark);
-        };
-        for (int k = 0; k < c.count; ++k) react(response.reactions[k], impulses.normal[k]);
-        react(response.to_friction, impulses.tangent);
+        for (int k = 0; k < c.count; ++k)
+            if (impulses.normal[k] != 0.0f)
+                joints->apply(response.reactions[k], double(impulses.normal[k]), bodies, mark);
     }
     if (impacts.empty()) return any;
     keep_first(impacts, bodies, bounced.first);
