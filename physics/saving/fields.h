@@ -98,7 +98,7 @@ void fields(auto& io, Some<BodyState> auto& s) {
     fields_of<BodyState>(io, s.position, s.angle, s.angular_velocity, s.velocity, s.cosine, s.sine);
 }
 void fields(auto& io, Some<RestPose> auto& s) {
-    fields_of<RestPose>(io, s.center, s.angle);
+    fields_of<RestPose>(io, s.center, s.angle, s.first_way, s.drawn_time);
 }
 void fields(auto& io, Some<Stay> auto& s) {
     fields_of<Stay>(io, s.body, s.returns, s.angle, s.center, s.time, s.far, s.back, s.fastest);

@@ -55,6 +55,7 @@ void check(const BodyRecord& body, const RestPose& rest, size_t slot) {
                 are_finite(body.inverse_mass, body.inverse_inertia, body.angle_rest, body.extent,
                            body.thickness) &&
                 is_amount(body.sleep_time) && rest.center.is_finite() && are_finite(rest.angle) &&
+                is_finite(rest.first_way) && is_amount(rest.drawn_time) &&
                 body.inverse_mass >= 0.0f && body.inverse_inertia >= 0.0f,
             "the state of body", slot);
     check_finite("gravity_scale", body.gravity_scale);

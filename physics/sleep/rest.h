@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fettle/physics/world.h>
+#include <sleep/drawn.h>
 #include <state/world_state.h>
 
 #include <cmath>
@@ -37,19 +38,6 @@ inline float way_since(const auto& start, const BodyRecord& body, float angle) {
     return length(body.center - start.center) + std::fabs(angle - start.angle) * body.extent;
 }
 
-/// True if a body at rest tips over: it turns faster and faster, so it has turned less than it
-/// would have at its present speed. `turned`: the distance that its fastest point has moved around
-/// the center of mass since it came to rest, m; `turning`: the present speed of this point, m/s;
-/// both with the sign of the rotation, because a body that rocks turns back. A body that has hardly
-/// turned, or that would have turned many times as far at its present speed, trembles in place.
-inline bool tips_over(float sleep_speed, float sleep_delay, float turned, float turning) {
-    constexpr float noticeable = 0.05f, least = 1.1f, most = 4.0f;
-    const float moved = std::fabs(turned);
-    const float steady = (turned < 0.0f ? -turning : turning) * sleep_delay;
-    return moved > noticeable * sleep_speed * sleep_delay && steady > least * moved &&
-           steady < most * moved;
-}
-
 /// A body that no contact supports is slow for a moment wherever it turns back: a ball at the top
 /// of its flight, a pendulum at its greatest angle. It is at rest if, since it became slow, it went
 /// no farther than at this part of the sleep speed, and is no faster now.
@@ -63,11 +51,24 @@ inline bool hangs_still(float slow, const BodyRecord& body, const RestPose& rest
            way_since(rest, body, state.angle) <= still * body.sleep_time;
 }
 
-/// Counts the time that the body is at rest: slower than `sleep_speed` (m/s). `angle`: of the body,
-/// rad. `speed`: of its fastest point, m/s; `turning`: of this point around the center of mass,
-/// m/s.
+/// Looks at a body that has been slow for the whole delay, twice `half` seconds. If a force draws
+/// it, the second half becomes the first one. A body came to rest at the end of a step, so its
+/// first half is shorter by a step of `dt`.
+inline void check_drawn(float slow, float half, BodyRecord& body, RestPose& rest,
+                        const BodyState& state, float dt) {
+    const float over = body.sleep_time - 2.0f * half;
+    const Vec2 way = body.center - rest.center - over * state.velocity - rest.first_way;
+    const Vec2 first = (1.0f / (half - dt)) * rest.first_way, second = (1.0f / half) * way;
+    if (!is_drawn(slow, half, first, second, state.velocity, rest.drawn_time)) return;
+    const Vec2 step = 0.5f * dt * (first + second);
+    rest = {rest.center + rest.first_way + step, state.angle, way - step, rest.drawn_time + half};
+    body.sleep_time -= half;
+}
+
+/// Counts the time that the body is at rest: slower than `sleep_speed` (m/s). `speed`: of its
+/// fastest point, m/s.
 inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, RestPose& rest,
-                       float angle, float speed, float turning, float dt) {
+                       const BodyState& state, float speed, float dt) {
     const float size = min(body.extent / usual_extent, 1.0f);
     const float slow = rest_speed(sleep_speed, body);
     const bool jerks =
@@ -79,18 +80,20 @@ inline void count_rest(float sleep_speed, float sleep_delay, BodyRecord& body, R
     const bool begins = body.sleep_time == 0.0f;
     // Corrections of overlaps move a body without velocity. At the speed of rest, its center and
     // its farthest point go no farther than this.
-    const float way = begins ? 0.0f : way_since(rest, body, angle);
+    const float way = begins ? 0.0f : way_since(rest, body, state.angle);
     const bool is_corrected = way > 2.0f * slow * body.sleep_time;
-    const auto turned = [&] { return (angle - rest.angle) * body.extent; };
     if (begins || is_corrected ||
         (jerks && way > mean_over_sleep_speed * slow * size * sleep_delay)) {
-        rest = {body.center, angle};
+        rest = {body.center, state.angle, {}};
         body.sleep_time = 0.0f;
     }
     const float before = std::exchange(body.sleep_time, body.sleep_time + dt);
-    if (before < sleep_delay && body.sleep_time >= sleep_delay &&
-        tips_over(slow, sleep_delay, turned(), turning))
-        body.sleep_time = 0.0f;
+    const float half = 0.5f * sleep_delay;
+    if (body.sleep_time < half || before >= sleep_delay) return;
+    if (before < half)
+        rest.first_way = body.center - rest.center - (body.sleep_time - half) * state.velocity;
+    else if (body.sleep_time >= sleep_delay)
+        check_drawn(slow, half, body, rest, state, dt);
 }
 
 }  // namespace fettle::physics::detail

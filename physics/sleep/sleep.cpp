@@ -275,8 +275,9 @@ struct AwakeIsland {
     uint32_t slow_bodies = 0, fast_bodies = 0;  ///< now
     bool rocks = true;                          ///< what is fast rocks in place
     bool rocks_for_long = true;                 ///< what does not rest rocks so
-    bool supported = false;                     ///< a body touches something
-    bool turns = false;                         ///< it is not supported, and is not still
+    bool touches = false;                       ///< a body touches something
+    bool held = false;                          ///< by a contact or joint with what is not dynamic
+    bool turns = false;                         ///< it flies or hangs, and is not still
 };
 
 float rest_speed_of(const ObjectState& objects, const WorldDef& settings, uint32_t body) {
@@ -361,15 +362,20 @@ std::vector<uint8_t> unrest_of_bodies(const ObjectState& objects, const Columns&
 }
 
 /// Unites the awake bodies that touch or are joined. What moves without being dynamic, and what a
-/// belt carries, does not rest.
-void unite_islands(const ObjectState& objects, const Columns& columns, const ActiveLists& active,
-                   UnionFind& sets, std::vector<uint8_t>& unrest) {
+/// belt carries, does not rest. Returns which bodies touch one that is not dynamic, or are
+/// joined to it.
+std::vector<bool> unite_islands(const ObjectState& objects, const Columns& columns,
+                                const ActiveLists& active, UnionFind& sets,
+                                std::vector<uint8_t>& unrest) {
+    std::vector<bool> held(unrest.size(), false);
     const auto link = [&](uint32_t body_a, uint32_t body_b) {
         const uint32_t a = objects.bodies[body_a].solver_index,
                        b = objects.bodies[body_b].solver_index;
-        if (a == 0 || b == 0) return;
         const bool moves_a = objects.bodies[body_a].mobility == Mobility::dynamic;
         const bool moves_b = objects.bodies[body_b].mobility == Mobility::dynamic;
+        if (a != 0 && !moves_b) held[a - 1] = true;
+        if (b != 0 && !moves_a) held[b - 1] = true;
+        if (a == 0 || b == 0) return;
         if (moves_a && moves_b)
             sets.unite(a - 1, b - 1);
         else if (moves_a && in_motion(objects, columns, body_b))
@@ -389,12 +395,14 @@ void unite_islands(const ObjectState& objects, const Columns& columns, const Act
         for (const uint32_t joint : list)
             link(objects.joints[joint].bodies[0], objects.joints[joint].bodies[1]);
     }
+    return held;
 }
 
 /// The islands, each at the index of the root of its set.
 std::vector<AwakeIsland> islands_of(const ObjectState& objects, const Columns& columns,
                                     const ActiveLists& active, const WorldDef& settings,
-                                    UnionFind& sets, std::span<const uint8_t> unrest) {
+                                    UnionFind& sets, std::span<const uint8_t> unrest,
+                                    const std::vector<bool>& held) {
     std::vector<AwakeIsland> islands(unrest.size());
     for (uint32_t i = 0; i < unrest.size(); ++i) {
         AwakeIsland& island = islands[sets.find(i)];
@@ -403,7 +411,8 @@ std::vector<AwakeIsland> islands_of(const ObjectState& objects, const Columns& c
         const bool fast = unrest[i] != 0 && is_fast(objects.bodies[slot], columns.states[slot],
                                                     rest_speed_of(objects, settings, slot));
         ++(fast ? island.fast_bodies : island.slow_bodies);
-        island.supported |= objects.bodies[slot].lists.touching > 0;
+        island.touches |= objects.bodies[slot].lists.touching > 0;
+        island.held |= held[i];
     }
     return islands;
 }
@@ -417,7 +426,9 @@ void keep_turning_awake(ObjectState& objects, const Columns& columns, const Acti
         AwakeIsland& island = islands[sets.find(i)];
         const uint32_t slot = active.awake_bodies[i];
         const BodyRecord& body = objects.bodies[slot];
-        if (island.supported || island.unrest != 0 || body.mobility != Mobility::dynamic) continue;
+        if ((island.touches && island.held) || island.unrest != 0 ||
+            body.mobility != Mobility::dynamic)
+            continue;
         if (hangs_still(rest_speed_of(objects, settings, slot), body, objects.rest_poses[slot],
                         columns.states[slot]))
             continue;
@@ -464,8 +475,9 @@ void sleep_resting_islands(const Activity& activity, const JointScratch& joints,
     std::vector<uint8_t> unrest = unrest_of_bodies(objects, columns, active, joints, settings);
     UnionFind sets;
     sets.reset(unrest.size());
-    unite_islands(objects, columns, active, sets, unrest);
-    std::vector<AwakeIsland> islands = islands_of(objects, columns, active, settings, sets, unrest);
+    const std::vector<bool> held = unite_islands(objects, columns, active, sets, unrest);
+    std::vector<AwakeIsland> islands =
+        islands_of(objects, columns, active, settings, sets, unrest, held);
     keep_turning_awake(objects, columns, active, settings, sets, islands);
     calm_rocking(objects, columns, active, settings, passed, sets, unrest, islands);
     const std::vector<std::vector<uint32_t>> resting = resting_bodies(active, sets, islands);

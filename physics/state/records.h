@@ -147,10 +147,12 @@ struct BodyTraits {
     }
 };
 
-/// Where a body was when it came to rest: sleep/rest.h.
+/// Where a body was when it came to rest, and how it has moved since: sleep/rest.h.
 struct RestPose {
     Position center;
-    float angle = 0.0f;
+    float angle = 0.0f;       ///< rad
+    Vec2 first_way;           ///< of the center in the first half of the delay, m
+    float drawn_time = 0.0f;  ///< s for which it was slow, but drawn by a force
 };
 
 /// How an awake body moves in place: sleep/rocking.h.

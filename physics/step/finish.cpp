@@ -72,7 +72,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     if (record.lists.first_joint != none && dt > 0.0f)
         speed = max(speed, max(length(shift), std::fabs(turn) * record.extent) / dt);
     count_rest(in.objects.sleep_speed_of(settings, record), settings.sleep_delay, record,
-               in.objects.rest_poses[slot], state.angle, speed, turning, dt);
+               in.objects.rest_poses[slot], state, speed, dt);
     piece.sleep_candidates += record.sleep_time >= settings.sleep_delay;
 }
 
