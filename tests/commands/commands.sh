@@ -408,6 +408,22 @@ HOSTS
     expect_output "FAILED   hosts: raft"
 }
 
+case_clang_tidy_reads_what_the_compiler_gets_and_each_source() {
+    cat >>"$project/CMakeLists.txt" <<'PROJECT'
+file(WRITE "${CMAKE_BINARY_DIR}/compile_commands.json" "[\n{\n  \"file\": \"/several sources.cxx\"\n}\n]\n")
+PROJECT
+    touch "$project/framework/sail.cpp"
+    pretend clang-tidy-14 <<<"#!/bin/sh
+[ \"\$1\" != --version ] || { echo 'LLVM version 14.0.6'; exit; }
+echo \"clang-tidy \$*\" >>'$calls'
+case \$* in *framework/sail.cpp) echo 'sail.cpp:1:1: error: it is torn'; exit 1 ;; esac"
+    run "$project/check" --full
+    expect_output "sail.cpp:1:1: error: it is torn"
+    expect_output "FAILED   clang-tidy"
+    grep -q -- 'build/tidy .*/several sources.cxx$' "$calls" || wrong "it should read what the compiler gets"
+    grep -q -- 'build/clang .*clang-analyzer.* framework/sail.cpp$' "$calls" || wrong "it should read each source"
+}
+
 case_a_broken_build_fails_the_check() {
     echo 'message(FATAL_ERROR "no such library")' >>"$project/CMakeLists.txt"
     run "$project/check"

@@ -84,6 +84,24 @@ TEST_CASE("a visitor ends a query and may begin others") {
     CHECK(inside == 20 * 20);
 }
 
+TEST_CASE("a copy of a visitor calls the same function") {
+    World world;
+    fill(world);
+    int first = 0, second = 0;
+    const auto count_first = [&](const Shape&) { ++first; };
+    const auto count_second = [&](const Shape&) { ++second; };
+    Visitor<Shape> visitor = count_first;
+    const Visitor<Shape> copy = visitor;
+    Visitor<Shape> moved = std::move(visitor);
+    visitor = count_second;
+    world.visit_aabb(all, copy);
+    world.visit_aabb(all, moved);
+    CHECK(first == 40);
+    CHECK(second == 0);
+    world.visit_aabb(all, visitor);
+    CHECK(second == 20);
+}
+
 TEST_CASE("a visitor that edits or throws or destroys the world is an error without damage") {
     World world;
     fill(world);

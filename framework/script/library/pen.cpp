@@ -36,7 +36,6 @@
 namespace fettle::script {
 
 using property::Color;
-using property::Paint;
 using property::Painter;
 
 namespace {

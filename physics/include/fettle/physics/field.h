@@ -22,8 +22,8 @@ struct FieldId {
     uint32_t index = 0;       ///< slot
     uint32_t generation = 0;  ///< of the field in the slot; 0: empty
     friend bool operator==(const FieldId&, const FieldId&) noexcept = default;
-    friend auto operator<=>(const FieldId&, const FieldId&) noexcept = default;
-    explicit operator bool() const noexcept { return generation != 0; }  ///< false: empty
+    friend auto operator<=>(const FieldId&, const FieldId&) noexcept = default;  // NOLINT
+    explicit operator bool() const noexcept { return generation != 0; }          ///< false: empty
 };
 
 /// Moving air: presses on every edge that faces the wind by ½·density·(speed across the edge)². It

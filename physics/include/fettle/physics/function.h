@@ -89,7 +89,7 @@ class Function<Returned(Arguments...)> {
     template <class Kept>
     static constexpr bool fits_inside =
         sizeof(Kept) <= sizeof(Storage) &&
-        alignof(Kept) <= alignof(Storage) && std::is_trivially_copyable_v<Kept>;
+        alignof(Kept) <= alignof(void*) && std::is_trivially_copyable_v<Kept>;
 
     template <class Kept>
     static Kept& kept(const Storage& storage) {

@@ -45,7 +45,8 @@ class Visitor {
   public:
     /// `function` must live as long as the query runs.
     template <Visits<Found> Function>
-    Visitor(Function&& function)
+    requires(!std::is_same_v<std::remove_cvref_t<Function>, Visitor>)
+        Visitor(Function&& function)  // NOLINT: converts, and takes no visitor
         : function_(const_cast<void*>(static_cast<const void*>(&function))),
           call_([](void* called, const Found& found) {
               auto& visit = *static_cast<std::remove_reference_t<Function>*>(called);

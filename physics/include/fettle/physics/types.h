@@ -21,8 +21,8 @@ struct BodyId {
     uint32_t index = 0;       ///< slot
     uint32_t generation = 0;  ///< 0: empty
     friend bool operator==(const BodyId&, const BodyId&) noexcept = default;
-    friend auto operator<=>(const BodyId&, const BodyId&) noexcept = default;
-    explicit operator bool() const noexcept { return generation != 0; }  ///< false: empty
+    friend auto operator<=>(const BodyId&, const BodyId&) noexcept = default;  // NOLINT: no pointer
+    explicit operator bool() const noexcept { return generation != 0; }        ///< false: empty
 };
 
 /// A handle to a shape: as `BodyId`.
@@ -30,8 +30,8 @@ struct ShapeId {
     uint32_t index = 0;       ///< slot
     uint32_t generation = 0;  ///< of the object in the slot; 0: empty
     friend bool operator==(const ShapeId&, const ShapeId&) noexcept = default;
-    friend auto operator<=>(const ShapeId&, const ShapeId&) noexcept = default;
-    explicit operator bool() const noexcept { return generation != 0; }  ///< false: empty
+    friend auto operator<=>(const ShapeId&, const ShapeId&) noexcept = default;  // NOLINT
+    explicit operator bool() const noexcept { return generation != 0; }          ///< false: empty
 };
 
 /// A handle to a joint: as `BodyId`.
@@ -39,8 +39,8 @@ struct JointId {
     uint32_t index = 0;       ///< slot
     uint32_t generation = 0;  ///< of the object in the slot; 0: empty
     friend bool operator==(const JointId&, const JointId&) noexcept = default;
-    friend auto operator<=>(const JointId&, const JointId&) noexcept = default;
-    explicit operator bool() const noexcept { return generation != 0; }  ///< false: empty
+    friend auto operator<=>(const JointId&, const JointId&) noexcept = default;  // NOLINT
+    explicit operator bool() const noexcept { return generation != 0; }          ///< false: empty
 };
 
 /// What moves a body.
@@ -91,7 +91,7 @@ struct ContactId {
         return one < other ? ContactId{one, other} : ContactId{other, one};
     }
     friend bool operator==(const ContactId&, const ContactId&) noexcept = default;
-    friend auto operator<=>(const ContactId&, const ContactId&) noexcept = default;
+    friend auto operator<=>(const ContactId&, const ContactId&) noexcept = default;  // NOLINT
     explicit operator bool() const noexcept {
         return bool(shape_a) && bool(shape_b);
     }  ///< false: empty

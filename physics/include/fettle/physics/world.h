@@ -81,9 +81,9 @@ class World {
     ~World();
     /// Moves everything: objects, callbacks, owner and threads. Handles to objects of `other` are
     /// handles of this world then, and `other` is an empty world with the default settings.
-    World(World&& other);
+    World(World&& other);  // NOLINT: makes an empty world, and so allocates
     /// The same. The world that was here before is destroyed with its objects.
-    World& operator=(World&& other);
+    World& operator=(World&& other);          // NOLINT: the same
     World& operator=(const World&) = delete;  ///< use `clone` or `restore`
 
     /// A copy: a snapshot with the same ids, whose future steps have the same results, bit for bit.
