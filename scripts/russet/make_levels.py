@@ -264,7 +264,7 @@ def keep():
     m.put("Lift", 0.5, -1, 2, 0.5, dx=4, period=3.6).put("Lift", 8.5, 0, 2, 0.5, dy=3, period=3.4).coins(3, 1.5, 4).gap(12).step(2)
     m.put("Door", 3, 0, 1, 3).fill(3, 3, 1, 9).flat(6).put("Checkpoint", 0, 0).put("Heart", 2, 0).flat(5)
     m.down(4).put("Beetle", 2, 0).put("Beetle", 5, 0).put("Bat", 7, 2.6).flat(10).spikes(0, 1).flat(4).spikes(0, 2).flat(5).spikes(0, 3).coins(0, 2.6, 3).flat(5)
-    m.put("Spring", 1, 0).flat(3).coins(0, 3, 5, 2.5).gap(7).put("Spring", 5, 0).put("Checkpoint", 2, 0).flat(8).step(5).coins(1, 1, 3).flat(6)
+    m.put("Spring", 2, 0).flat(3).coins(0, 3, 5, 2.5).gap(7).put("Spring", 5, 0).put("Checkpoint", 2, 0).flat(8).step(5).coins(1, 1, 3).flat(6)
     m.coins(0, 1.5, 5, 1).gap(5).flat(3).coins(0, 1.5, 4, 1).gap(4).flat(4).put("Bat", 3, 2.4).down(3).put("Goal", 6, 0).flat(13)
     return m
 

@@ -103,14 +103,15 @@ local function think(level)
             return math.abs(d) < 0.3 and 0 or d > 0 and 1 or -1, hero.velocity.y > 0 and d > 0.5
         end
     end
-    if hero.grounded then bot.floor = y end
+    if hero.grounded then bot.floor, bot.sprung = y, false end
+    if hero.velocity.y > 15 then bot.sprung = true end
     if not hero.grounded then
-        -- It brakes where it would land in a gap or on spikes.
+        -- It brakes where it would land in a gap or on spikes, but not on the way that a spring has sent it.
         local v, fall = hero.velocity, 38
         local left = (v.y + math.sqrt(math.max(0, v.y * v.y + 2 * fall * (y - bot.floor)))) / fall
         local land = at.x + v.x * left
         local bad = function(x) return not ground_at(level, x, bot.floor + 0.2) or hurts(level, x, bot.floor + 0.3) or hurts(level, x + 0.4, bot.floor + 0.3) end
-        if not goal and v.y < 11 and bad(land) and not bad(at.x + 0.3) then way = -1 end
+        if not goal and not bot.sprung and v.y < 11 and bad(land) and not bad(at.x + 0.3) then way = -1 end
         return way, jump or v.y > 0
     end
     local ahead = at.x + way * 0.75
