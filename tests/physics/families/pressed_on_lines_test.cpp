@@ -118,7 +118,9 @@ float depth_of_pressed(unsigned seed, bool in_wind) {
                     .add(Box{.width = random(0.1f, 1), .height = random(0.02f, 1)});
         }
         world.step(dt);
-        if (std::fabs(thin.position().x) < 19) depth = std::max(depth, -float(thin.position().y));
+        if (std::fabs(thin.position().x) > 19)
+            break;  // the wind has blown it to the end of the ground
+        depth = std::max(depth, -float(thin.position().y));
     }
     return depth;
 }
