@@ -158,15 +158,15 @@ float velocity_after(float restitution, float velocity, float gap, float change,
 }
 
 /// The points of a contact that meet within the step.
-struct Meeting {
+struct MeetingPoints {
     float velocity[2] = {};  ///< present ones of the points that joints allow, m/s
     ImpactGoal goal;
     float time = 1.0f;  ///< until the shapes meet, as a share of the step; < 0: they overlap
 
     /// `jointed`: the bodies have joints, which change what forces do.
-    Meeting(const AtImpact& impact, const ContactExtra& extra, const SolverBody& a,
-            const SolverBody& b, const SolverForce& fa, const SolverForce& fb, int substeps,
-            float dt, float threshold, bool jointed) {
+    MeetingPoints(const AtImpact& impact, const ContactExtra& extra, const SolverBody& a,
+                  const SolverBody& b, const SolverForce& fa, const SolverForce& fb, int substeps,
+                  float dt, float threshold, bool jointed) {
         const ContactConstraint& c = impact.contact;
         for (int k = 0; k < c.count; ++k) {
             const ConstraintPoint& p = c.points[k];
@@ -237,7 +237,7 @@ struct PairImpact {
     ImpactImpulses added;  ///< in the present round
 
     PairImpact(uint32_t index, const ContactConstraint& c, const ContactExtra& extra,
-               Meeting& meeting, const SolverBody& a, const SolverBody& b)
+               MeetingPoints& meeting, const SolverBody& a, const SolverBody& b)
         : constraint(index),
           contact(c),
           time(meeting.time),
@@ -396,7 +396,8 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         if (!impact) continue;
         const ContactConstraint& met = impact->contact;
         const bool jointed = joints != nullptr && joints->acts_on(c.a, c.b);
-        Meeting meeting(*impact, extra, a, b, fa, fb, substeps, dt, restitution_threshold, jointed);
+        MeetingPoints meeting(*impact, extra, a, b, fa, fb, substeps, dt, restitution_threshold,
+                              jointed);
         if (!meeting.any()) continue;
         if (!jointed && extra.restitution >= least_worth) {
             impacts.push_back(PairImpact(i, met, extra, meeting, a, b));
