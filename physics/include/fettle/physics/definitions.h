@@ -179,7 +179,7 @@ struct Ellipse {
 /// the square of the number of vertices, up to a tenth of a second for 4096 of them and to seconds
 /// for the most that there may be. A longer outline is a `Chain`, or several shapes of one body.
 struct Concave {
-    static constexpr size_t most_vertices = 16384;
+    static constexpr size_t most_vertices = 16384;  ///< of the outline
     std::vector<Vec2> vertices = {};  ///< body coordinates, m; from 3 to `most_vertices`
 };
 
