@@ -157,7 +157,8 @@ void Tilemaps::change_cells(Handle map, Handle layer, std::span<const Grid::Cell
     try {
         tree_->set(layer, *in_layer_.changes, changed);
     } catch (...) {
-        grid.set_changes(layer_rows_[number].changes);  // a formula that runs forbids it, for example
+        grid.set_changes(
+            layer_rows_[number].changes);  // a formula that runs forbids it, for example
         throw;
     }
     layer_rows_[number].changes = tree_->peek(layer, *in_layer_.changes);
