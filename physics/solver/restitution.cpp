@@ -424,7 +424,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
             apply(response);
             continue;
         }
-        JointedResponse response(met, joints);
+        const JointedResponse response(met, joints);
         meeting.yield_to_joints(met, extra, response, *joints, bodies, restitution_threshold);
         if (!meeting.any()) continue;
         const ImpactImpulses impulses = apply(response);

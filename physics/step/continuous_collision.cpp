@@ -46,8 +46,7 @@ bool is_fast_beside(const FinishInput& in, const BodyRecord& body, const Motion&
     if (!overlap(path, driven.box)) return false;
     const Vec2 apart = body.center - driven.motion.center(1.0f);
     const Vec2 shift = motion.velocity - driven.motion.velocity - cross(driven.motion.turn, apart);
-    const float way = length(shift) +
-                      std::fabs(motion.turn - driven.motion.turn) * (body.extent - body.thickness);
+    const float way = way_of(body, shift, motion.turn - driven.motion.turn);
     const bool stands = driven.motion.velocity == Vec2{} && driven.motion.turn == 0.0f;
     if (!(way > (stands ? least_hit_motion(body) : near_motion(body)))) return false;
     const Box4* const boxes = in.scratch.driven_boxes.data() + driven.first_box;

@@ -61,8 +61,7 @@ void finish_body(const FinishInput& in, size_t place, float dt, FinishedPiece& p
     if (!stands || turned_before(in.objects, record)) finish_shapes(in, slot, q, piece);
     const float near = record.mobility == Mobility::kinematic ? least_driven_motion(record)
                                                               : least_hit_motion(record);
-    if (settings.continuous &&
-        length(shift) + std::fabs(turn) * (record.extent - record.thickness) > near) {
+    if (settings.continuous && way_of(record, shift, turn) > near) {
         stop_or_list(in, slot, shift, turn, piece);
     }
 

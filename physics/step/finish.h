@@ -61,8 +61,11 @@ inline float near_motion(const BodyRecord& body) {
 }
 
 /// The greatest way of a point of a body with this motion, beyond what its thickness bears, m.
+inline float way_of(const BodyRecord& body, Vec2 shift, float turn) {
+    return length(shift) + std::fabs(turn) * (body.extent - body.thickness);
+}
 inline float way_of(const BodyRecord& body, const Motion& motion) {
-    return length(motion.velocity) + std::fabs(motion.turn) * (body.extent - body.thickness);
+    return way_of(body, motion.velocity, motion.turn);
 }
 /// Less relative motion brings no body to an obstacle with which it had no contact.
 inline float least_hit_motion(const BodyRecord& body) {

@@ -34,14 +34,15 @@ class WayBetweenFixed {
         for_each_fixed_on_way(in, body, motion, now, [&](uint32_t s, uint32_t other) {
             const float arrival = time_of(s, other, 0.0f, hit_gap);
             if (arrival < 1.0f) meetings_.push_back({s, other, arrival});
-            first_ = min(first_, arrival);
         });
     }
 
     Impact impact() {
-        Impact first = {first_, {}, {}};
-        if (first_ >= 1.0f || !is_beside()) return first;
-        first.time = 1.0f;
+        Impact first;
+        if (!is_beside()) {
+            for (const Meeting& meeting : meetings_) first.time = min(first.time, meeting.arrival);
+            return first;
+        }
         if (!(way_of(record_, motion_) > near_motion(record_))) return first;
         for (const auto& [s, other, arrival] : meetings_) {
             if (arrival < first.time && is_blocked(s, other, arrival)) first = {arrival, {}, {}};
@@ -100,7 +101,6 @@ class WayBetweenFixed {
     const Motion& motion_;
     const float now_;
     std::vector<Meeting> meetings_;
-    float first_ = 1.0f;
 };
 
 }  // namespace

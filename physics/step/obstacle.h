@@ -32,8 +32,8 @@ class Obstacle {
         if (is_border_) return plane_.normal;
         return -direction_between(shape, obstacle_, t);
     }
-    /// The same for a point that moves from `start` to `end`. A point that is in the obstacle
-    /// already, but not deeper than `slip`, goes no deeper.
+    /// When a point that moves from `start` to `end` reaches the obstacle. A point that is in the
+    /// obstacle already, but not deeper than `slip`, goes no deeper.
     Impact of_point(const Position& start, const Position& end, float slip) const;
     /// A segment of a chain stops nothing that comes from behind it.
     bool is_from_behind(const Position& start) const;

@@ -53,7 +53,7 @@ void limit_speed(const FinishInput& in, uint32_t body);
 
 // fixed_obstacles.cpp
 
-/// The same for all fixed obstacles together.
+/// How far a body may follow its motion from `now` without passing through a fixed shape.
 Impact time_of_impact_with_fixed(const FinishInput& in, uint32_t body, const Motion& motion,
                                  float now);
 

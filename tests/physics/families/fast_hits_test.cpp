@@ -23,9 +23,22 @@ constexpr float dt = 1.0f / 60;
 constexpr float degrees = 57.29578f;
 const ShapeDef elastic = {.friction = 0, .restitution = 1};
 
-float angle_between(Vec2 a, Vec2 b) {
-    return std::fabs(std::atan2(a.cross(b), a.dot(b))) * degrees;
-}
+/// How far directions are from those that are expected, in degrees.
+struct Directions {
+    double sum = 0, worst = 0;
+
+    void add(Vec2 expected, Vec2 velocity) {
+        const double error =
+            std::fabs(std::atan2(expected.cross(velocity), expected.dot(velocity))) * degrees;
+        sum += error;
+        worst = std::max(worst, error);
+    }
+    void check(const char* what, unsigned count) const {
+        std::printf("%s %.2f degrees off, %.1f at most\n", what, sum / count, worst);
+        CHECK(sum / count < 1);
+        CHECK(worst < 12);
+    }
+};
 
 /// An obstacle whose topmost point is the origin.
 void add_obstacle(World& world, int kind) {
@@ -67,7 +80,7 @@ TEST_CASE("a fast ball touches each obstacle that it meets") {
 }
 
 TEST_CASE("a fast ball leaves a post in the right direction") {
-    double sum = 0, worst = 0;
+    Directions directions;
     const unsigned seeds = seeds_or(200);
     for (unsigned seed = 0; seed < seeds; ++seed) {
         Random random{std::mt19937(seed)};
@@ -81,17 +94,13 @@ TEST_CASE("a fast ball leaves a post in the right direction") {
         for (float time = 0; time < 8 / speed; time += dt) world.step(dt);
         const Vec2 normal = {-std::sqrt(1 - aside * aside), aside};
         const Vec2 expected = Vec2{1, 0} - 2 * normal.x * normal;
-        const double error = angle_between(expected, ball.velocity());
-        sum += error;
-        worst = std::max(worst, error);
+        directions.add(expected, ball.velocity());
     }
-    std::printf("fast balls leave a post %.2f degrees off, %.1f at most\n", sum / seeds, worst);
-    CHECK(sum / seeds < 1);
-    CHECK(worst < 12);
+    directions.check("fast balls leave a post", seeds);
 }
 
 TEST_CASE("a bullet pushes a ball in the direction in which it hits it") {
-    double sum = 0, worst = 0;
+    Directions directions;
     const unsigned seeds = seeds_or(200);
     for (unsigned seed = 0; seed < seeds; ++seed) {
         Random random{std::mt19937(seed)};
@@ -106,13 +115,9 @@ TEST_CASE("a bullet pushes a ball in the direction in which it hits it") {
         for (float time = 0; time < 6 / speed; time += dt) world.step(dt);
         REQUIRE(target.velocity().length() > 0);
         const Vec2 expected = {std::sqrt(1 - aside * aside), -aside};
-        const double error = angle_between(expected, target.velocity());
-        sum += error;
-        worst = std::max(worst, error);
+        directions.add(expected, target.velocity());
     }
-    std::printf("bullets push a ball %.2f degrees off, %.1f at most\n", sum / seeds, worst);
-    CHECK(sum / seeds < 1);
-    CHECK(worst < 12);
+    directions.check("bullets push a ball", seeds);
 }
 
 TEST_CASE("a fast body does not get through a slot that is narrower than it is") {
