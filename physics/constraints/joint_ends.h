@@ -70,6 +70,9 @@ struct JointEnds {
     float angle = 0.0f;     ///< of b relative to a at the start of the step
     Vec2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
     float share = 1.0f;         ///< of its mass, with which it pushes: solver/crowded_joints.h
+    /// A length or a translation that is wrong by more counts as wrong by this, m. See
+    /// solver/obstructed_joints.h.
+    float greatest_error = 1e30f;
 
     void follow(const SolverBody& body_a, const SolverBody& body_b) {
         lever_a = turned(start_a, body_a.turn);
@@ -79,6 +82,7 @@ struct JointEnds {
     Vec2 gap(const SolverBody& body_a, const SolverBody& body_b) const {
         return apart + (body_b.shift - body_a.shift) + (lever_b - lever_a);
     }
+    float bounded_error(float error) const { return clamp(error, -greatest_error, greatest_error); }
     float angle_now(const SolverBody& body_a, const SolverBody& body_b) const {
         return angle + (body_b.turn - body_a.turn);
     }

@@ -111,7 +111,7 @@ struct DistanceConstraint {
             impulses.along += change;
             line.push(ends, a, b, change);
         } else if (rigid) {
-            hold<true>(a, b, error, step);
+            hold<true>(a, b, ends.bounded_error(error), step);
         }
         limit<true>(a, b, distance, step);
     }
@@ -135,12 +135,14 @@ struct DistanceConstraint {
             DirectRow& row = rows.spring(along, spring, line.mass, error, impulses.along);
             if (weak && rows.biased()) row.low = double(least), row.high = double(most);
         } else if (rigid) {
-            rows.hold(along, error, impulses.along);
+            rows.hold(along, ends.bounded_error(error), impulses.along);
         }
         if (driven)
             rows.motor(along, motor.speed_within(limits, distance, 1.0f / float(rows.h())),
                        motor.greatest, impulses.motor);
-        write_limits(limits, impulses.limits, distance, along, rows);
+        const float allowed = limits.nearest(distance);
+        write_limits(limits, impulses.limits, allowed + ends.bounded_error(distance - allowed),
+                     along, rows);
     }
     JointLoad load() const { return {impulses.sum() * line.direction, 0.0f}; }
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
@@ -159,8 +161,8 @@ struct DistanceConstraint {
     void limit(SolverBody& a, SolverBody& b, float distance, const JointStep& step) {
         if (biased && limited) {
             const float allowed = limits.nearest(distance);
-            distance =
-                allowed + ends.close_wide_gap(a, b, line.direction, distance - allowed, step);
+            const float error = ends.bounded_error(distance - allowed);
+            distance = allowed + ends.close_wide_gap(a, b, line.direction, error, step);
         }
         solve_limits<biased>(
             limits, impulses.limits, line.mass, distance, step, [&] { return line.velocity(a, b); },

@@ -2,6 +2,7 @@
 
 #include <solver/geometric_stiffness.h>
 #include <solver/joint_passes.h>
+#include <solver/obstructed_joints.h>
 
 #include <cmath>
 #include <memory>
@@ -72,7 +73,8 @@ class JointFunctions {
             const SolverBody &a = source.bodies.solver_bodies[c.ends.a],
                              &b = source.bodies.solver_bodies[c.ends.b];
             c.prepare(joint.settings.as<Settings>(), source.frame_of(joint), step, a, b);
-            pulls_hard |= GeometricStiffness::may_be_too_great(c.ends, joint.force, a, b, step.h);
+            pulls_hard |= GeometricStiffness::may_be_too_great(c.ends, joint.force, a, b, step.h) ||
+                          may_be_obstructed(joint.force, a, b, step.h);
         }
         return pulls_hard;
     }
@@ -124,7 +126,7 @@ class JointFunctions {
     static JointLoad load(const JointArray& array, size_t index) {
         return array.as<Constraint>()[index].load();
     }
-    static const JointEnds& ends_of(const JointArray& array, size_t index) {
+    static JointEnds& ends_of(JointArray& array, size_t index) {
         return array.as<Constraint>()[index].ends;
     }
     static JointImpulses impulses_of(const JointArray& array, size_t index) {

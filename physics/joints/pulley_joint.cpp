@@ -124,7 +124,9 @@ struct PulleyConstraint {
         b.shift = b.shift - ratio * pull * scaled(ends.inverse_b, side_b.direction);
         follow(a, b);
     }
-    float room() const { return length - side_a.length - ratio * side_b.length; }
+    float room() const {
+        return max(length - side_a.length - ratio * side_b.length, -ends.greatest_error);
+    }
     void pull(SolverBody& a, SolverBody& b, float tension) const {
         side_a.pull(ends.inverse_a, a, tension);
         side_b.pull(ends.inverse_b, b, ratio * tension);

@@ -92,10 +92,14 @@ struct Rail {
     float close_beyond_limits(const JointEnds& ends, SolverBody& a, SolverBody& b,
                               const JointStep& step) const {
         const float allowed = coordinate.limits.nearest(translation);
-        return allowed + ends.close_wide_gap(a, b, along.direction, translation - allowed, step);
+        const float error = ends.bounded_error(translation - allowed);
+        return allowed + ends.close_wide_gap(a, b, along.direction, error, step);
     }
     void write_rows(RailImpulses& impulses, const JointEnds& ends, RowWriter& rows) const {
-        coordinate.write_rows(impulses.along, along.mass, translation, along.jacobian(ends), rows);
+        const float allowed = coordinate.limits.nearest(translation);
+        coordinate.write_rows(impulses.along, along.mass,
+                              allowed + ends.bounded_error(translation - allowed),
+                              along.jacobian(ends), rows);
         rows.hold(across.jacobian(ends), offset, impulses.across);
     }
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {

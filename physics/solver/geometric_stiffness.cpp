@@ -21,7 +21,7 @@ void raise_inertia(const JointSource& source, const JointStep& step, JointScratc
     std::vector<SolverBody>& all = bodies.solver_bodies;
     GeometricStiffness stiffness;
     stiffness.reset(all.size());
-    for_each_joint(joints, [&](const JointKind& kind, const JointArray& array, size_t k) {
+    for_each_joint(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
         stiffness.add(kind.ends(array, k), source.objects.joints[array.joints[k]].force);
     });
     std::vector<bool> raised(all.size());

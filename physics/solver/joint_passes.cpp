@@ -2,6 +2,7 @@
 #include <solver/crowded_joints.h>
 #include <solver/geometric_stiffness.h>
 #include <solver/joint_passes.h>
+#include <solver/obstructed_joints.h>
 #include <state/active_lists.h>
 
 #include <algorithm>
@@ -285,7 +286,10 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     lists.fill();
     soften_tuned(objects, joints, h);
     const bool pulls_hard = write_constraints(source, joints, step, threads);
-    if (pulls_hard) raise_inertia(source, step, joints, bodies);
+    if (pulls_hard) {
+        raise_inertia(source, step, joints, bodies);
+        yield_to_obstacles(source, step, joints);
+    }
     return step;
 }
 

@@ -82,7 +82,7 @@ class DirectSolver {
     void raise_inertia_for_impulses() {
         stiffness_.reset(bodies_.size());
         for (size_t i = 0; i < input_.joints.joint_arrays.size(); ++i) {
-            const JointArray& array = input_.joints.joint_arrays[i];
+            JointArray& array = input_.joints.joint_arrays[i];
             const JointKind& kind = joint_kind(JointScratch::type_of(i));
             for (size_t k = 0; k < array.joints.size(); ++k)
                 stiffness_.add(kind.ends(array, k), (1.0f / h_) * kind.load(array, k).push);

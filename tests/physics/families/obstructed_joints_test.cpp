@@ -1,0 +1,128 @@
+// Ropes, rods, pulleys and slides that pull a body against a fixed obstacle, as a grappling hook
+// does below a roof. FETTLE_SEEDS=n: n bodies of each kind.
+
+#include <fettle/physics/physics.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+#include "catch.h"
+#include "family.h"
+
+namespace obstructed_joints_test {
+
+using namespace fettle::physics;
+using families::Random;
+using families::seeds_or;
+
+namespace {
+
+enum Kind { rope, rod, pulley, slide, kinds };
+constexpr const char* names[kinds] = {"rope", "rod", "pulley", "slide"};
+
+/// A body below a block, and a joint above the block that becomes shorter.
+class Reel {
+  public:
+    Reel(Kind kind, Solver solver, Random& random)
+        : kind_(kind), world_({.solver = solver}), speed_(random(0.5f, 12)) {
+        const float thickness = random(0.2f, 3);
+        fixed_ = world_.create_body({.type = BodyType::static_body});
+        fixed_.add(Box{.width = 40, .height = 1, .center = {0, -0.5f}});
+        fixed_.add(
+            Box{.width = 6, .height = thickness, .center = {random(-1, 1), 4 + thickness / 2}});
+        top_ = 4 + thickness + random(1.5f, 4);
+        body_ = add_body(random);
+        length_ = start_ = top_ - float(body_.position().y);
+        add_joint();
+    }
+    /// The highest top of the body, above the lower face of the block, in six seconds.
+    float run() {
+        float deepest = -4;
+        for (int i = 0; i < 360; ++i) {
+            length_ = std::max(0.3f, length_ - speed_ / 60);
+            shorten_();
+            world_.step(1.0f / 60);
+            deepest = std::max(deepest, float(body_.aabb().max.y) - 4);
+        }
+        return deepest;
+    }
+
+  private:
+    Body add_body(Random& random) {
+        Body body = world_.create_body(
+            {.position = {random(-0.5f, 0.5f), 1}, .locked_rotation = random(0, 1) < 0.5f});
+        const ShapeDef surface = {.density = random(0.5f, 5), .friction = random(0, 1)};
+        switch (int(random(0, 3))) {
+            case 0:
+                body.add(Circle{random(0.2f, 0.6f)}, surface);
+                break;
+            case 1:
+                body.add(Box{.width = random(0.4f, 1.2f), .height = random(0.4f, 1.2f)}, surface);
+                break;
+            default:
+                body.add(Segment{.from = {-0.3f, 0}, .to = {0.3f, 0}, .rounding = 0.3f}, surface);
+        }
+        return body;
+    }
+    void add_joint() {
+        const Position hook = {body_.position().x, top_};
+        const JointDef ends{.body_b = body_.id(), .anchor_a = hook};
+        if (kind_ == pulley) {
+            Body weight =
+                world_.create_body({.type = BodyType::kinematic_body, .position = {30, 0}});
+            PulleyJointDef def = ends;
+            def.body_a = weight.id();
+            def.anchor_a = {};
+            def.ground_a = {30, top_};
+            def.ground_b = hook;
+            shorten_ = [this, joint = world_.create_pulley_joint(def)]() mutable {
+                joint.set_length(top_ + length_);
+            };
+        } else if (kind_ == slide) {
+            PrismaticJointDef def = ends;
+            def.axis = {0, 1};
+            def.lower_translation = -start_;
+            def.upper_translation = 0;
+            shorten_ = [this, joint = world_.create_prismatic_joint(def)]() mutable {
+                joint.set_lower_translation(-length_);
+            };
+        } else {
+            DistanceJointDef def = ends;
+            def.length = length_;
+            if (kind_ == rope) def.hertz = 0;
+            shorten_ = [this, joint = world_.create_distance_joint(def)]() mutable {
+                kind_ == rope ? joint.set_max_length(length_) : joint.set_length(length_);
+            };
+        }
+    }
+    Kind kind_;
+    World world_;
+    float speed_, top_ = 0, length_ = 0, start_ = 0;
+    Body fixed_, body_;
+    std::function<void()> shorten_;  ///< to `length_`
+};
+
+}  // namespace
+
+TEST_CASE("joints that become shorter pull nothing through a fixed obstacle", "[families]") {
+    for (const Solver solver : {Solver::soft_step, Solver::direct}) {
+        for (int kind = 0; kind < kinds; ++kind) {
+            float deepest = -4;
+            unsigned worst = 0;
+            for (unsigned seed = 0; seed < seeds_or(solver == Solver::soft_step ? 50 : 16);
+                 ++seed) {
+                Random random{std::mt19937(seed)};
+                const float depth = Reel(Kind(kind), solver, random).run();
+                if (depth > deepest) worst = seed;
+                deepest = std::max(deepest, depth);
+            }
+            INFO(names[kind] << ", solver " << int(solver) << ": deepest " << deepest << ", seed "
+                             << worst);
+            CHECK(deepest > -0.05f);  // the body comes to the obstacle
+            CHECK(deepest < (solver == Solver::direct ? 0.15f : 0.05f));
+        }
+    }
+}
+
+}  // namespace obstructed_joints_test
