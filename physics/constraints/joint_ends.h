@@ -133,12 +133,11 @@ struct JointEnds {
         return against > 0.0f && against * against >= straight * straight * length_squared(gap) *
                                                           length_squared(centers);
     }
-    /// The gap of a pin; turned a little if it is pressed, because forces that are exactly along a
+    /// The gap of a pin that is pressed, turned a little, because forces that are exactly along a
     /// straight chain would leave it straight and tear its pins apart. Neighbors in a chain usually
     /// turn to opposite sides.
-    Vec2 buckled(const SolverBody& body_a, const SolverBody& body_b, Vec2 gap) const {
+    Vec2 buckled(Vec2 gap) const {
         constexpr float part = 0.05f;
-        if (!is_pressed(body_a, body_b, gap)) return gap;
         return gap + cross(b % 2 == 0 ? part : -part, gap);
     }
     float inverse_along(Vec2 d) const { return detail::inverse_along(d, inverse_a, inverse_b); }

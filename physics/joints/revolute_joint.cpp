@@ -44,7 +44,8 @@ struct RevoluteConstraint {
     RevoluteImpulses impulses;
     FreeTurn free;  ///< for the current levers, if it is known
     bool free_is_known = false;
-    PointMass mass;  ///< for the current levers; bodies rotate only between the two passes
+    bool pressed = false;  ///< at the start of the step
+    PointMass mass;        ///< for the current levers; bodies rotate only between the two passes
     float angular_mass = 0.0f, reference = 0.0f;
     Coordinate angle;
 
@@ -59,6 +60,7 @@ struct RevoluteConstraint {
         reference = settings.reference_angle;
         angle.prepare(settings.angle, impulses.angle, step.h, angular_mass > 0.0f);
         mass = PointMass::make(ends, a, b);
+        pressed = ends.is_pressed(a, b, ends.gap(a, b));
     }
     void warm_start(SolverBody& a, SolverBody& b) const {
         ends.push(a, b, impulses.point);
@@ -69,7 +71,8 @@ struct RevoluteConstraint {
         // The bodies have not moved since the last relax pass, or since the start of the step.
         const Vec2 gap = ends.close_wide_gap(a, b, ends.gap(a, b), step);
         const Softness soft = step.softness(gap);
-        const Vec2 velocity = ends.velocity(a, b) + soft.bias_rate * ends.buckled(a, b, gap);
+        const Vec2 wanted = pressed ? ends.buckled(gap) : gap;
+        const Vec2 velocity = ends.velocity(a, b) + soft.bias_rate * wanted;
         Vec2 own = impulses.point;
         if (angle.bounded && angle.has_reactions(impulses.angle))
             own = own - impulses.angle.of_bounds() * free_turn(a, b).reaction;
@@ -93,8 +96,7 @@ struct RevoluteConstraint {
     }
     JointLoad load() const { return {impulses.point, impulses.angle.sum()}; }
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
-        return angle.moves_bodies(b.angular_velocity - a.angular_velocity) ||
-               ends.is_pressed(a, b, ends.gap(a, b));
+        return pressed || angle.moves_bodies(b.angular_velocity - a.angular_velocity);
     }
 
   private:
