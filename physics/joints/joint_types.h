@@ -1,5 +1,6 @@
 #pragma once
 
+#include <solver/geometric_stiffness.h>
 #include <solver/joint_passes.h>
 
 #include <cmath>
@@ -39,14 +40,9 @@ class JointFunctions {
         if constexpr (requires { &Constraint::holds; }) is_rigid = holds;
         bool (*is_driven)(const JointRecord&) = nullptr;
         if constexpr (requires { &Settings::gives_energy; }) is_driven = gives_energy;
-        return {name,        sizeof(Constraint),
-                begin,       check,
-                measure,     is_rigid,
-                is_driven,   prepare,
-                warm_start,  solve,
-                relax,       load,
-                impulses_of, load_on,
-                write_rows,  store};
+        return {name,    sizeof(Constraint), begin, check, measure, is_rigid, is_driven,
+                prepare, warm_start,         solve, relax, load,    ends_of,  impulses_of,
+                load_on, write_rows,         store};
     }
 
   private:
@@ -63,8 +59,9 @@ class JointFunctions {
         return joint.settings.as<Settings>().gives_energy();
     }
 
-    static void prepare(const JointSource& source, JointArray& array, const JointStep& step,
+    static bool prepare(const JointSource& source, JointArray& array, const JointStep& step,
                         JointRange range) {
+        bool pulls_hard = false;
         for (size_t i = range.begin; i < range.end; ++i) {
             const JointRecord& joint = source.objects.joints[array.joints[i]];
             Constraint& c = *std::construct_at(array.as<Constraint>() + i);
@@ -75,7 +72,9 @@ class JointFunctions {
             const SolverBody &a = source.bodies.solver_bodies[c.ends.a],
                              &b = source.bodies.solver_bodies[c.ends.b];
             c.prepare(joint.settings.as<Settings>(), source.frame_of(joint), step, a, b);
+            pulls_hard |= GeometricStiffness::may_be_too_great(c.ends, joint.force, a, b, step.h);
         }
+        return pulls_hard;
     }
 
     /// Calls `act(constraint, a, b)`. Other threads may read a body that does not move, so such a
@@ -124,6 +123,9 @@ class JointFunctions {
 
     static JointLoad load(const JointArray& array, size_t index) {
         return array.as<Constraint>()[index].load();
+    }
+    static const JointEnds& ends_of(const JointArray& array, size_t index) {
+        return array.as<Constraint>()[index].ends;
     }
     static JointImpulses impulses_of(const JointArray& array, size_t index) {
         JointImpulses all;

@@ -1,5 +1,6 @@
 #include <partition/union_find.h>
 #include <solver/crowded_joints.h>
+#include <solver/geometric_stiffness.h>
 #include <solver/joint_passes.h>
 #include <state/active_lists.h>
 
@@ -250,11 +251,27 @@ void soften_tuned(const ObjectState& objects, JointScratch& joints, float h) {
     }
 }
 
+/// True if the inertia of a body may be too small for the pull of its joints.
+bool write_constraints(const JointSource& source, JointScratch& joints, const JointStep& step,
+                       ThreadPool* threads) {
+    std::atomic<bool> pulls_hard = false;
+    for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
+        JointArray& array = joints.joint_arrays[i];
+        const JointKind& kind = joint_kind(JointScratch::type_of(i));
+        array.constraints.resize(array.joints.size() * kind.constraint_size);
+        parallel_for(threads, array.joints.size(), joints_at_a_time, [&](size_t begin, size_t end) {
+            if (kind.prepare(source, array, step, {begin, end}))
+                pulls_hard.store(true, std::memory_order_relaxed);
+        });
+    }
+    return pulls_hard.load(std::memory_order_relaxed);
+}
+
 }  // namespace
 
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
-                         const BodyScratch& bodies, JointScratch& joints, float h,
-                         float impulse_ratio, ThreadPool* threads) {
+                         BodyScratch& bodies, JointScratch& joints, float h, float impulse_ratio,
+                         ThreadPool* threads) {
     const JointSource source = {objects, columns, bodies};
     JointStep step;
     step.h = h;
@@ -267,14 +284,8 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     if (heavy) lists.spread_loads();
     lists.fill();
     soften_tuned(objects, joints, h);
-    for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
-        JointArray& array = joints.joint_arrays[i];
-        const JointKind& kind = joint_kind(JointScratch::type_of(i));
-        array.constraints.resize(array.joints.size() * kind.constraint_size);
-        parallel_for(threads, array.joints.size(), joints_at_a_time, [&](size_t begin, size_t end) {
-            kind.prepare(source, array, step, {begin, end});
-        });
-    }
+    const bool pulls_hard = write_constraints(source, joints, step, threads);
+    if (pulls_hard) raise_inertia(source, step, joints, bodies);
     return step;
 }
 

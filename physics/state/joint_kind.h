@@ -64,13 +64,15 @@ struct JointKind {
     bool (*holds)(const JointRecord& joint);
     /// Whether a motor or a spring of the joint may give energy to its bodies. Null: it has none.
     bool (*gives_energy)(const JointRecord& joint);
-    /// Writes constraints from the records of the joints.
-    void (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
+    /// Writes constraints from the records of the joints. True: the inertia of a body may be too
+    /// small for the pull of its joints (solver/geometric_stiffness.h).
+    bool (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
                     JointRange range);
     using Pass = void (*)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                           JointRange range);
     Pass warm_start, solve, relax;
     JointLoad (*load)(const JointArray& array, size_t index);
+    const JointEnds& (*ends)(const JointArray& array, size_t index);
     /// The impulses of a joint in a sub-step, as its type defines them.
     JointImpulses (*impulses)(const JointArray& array, size_t index);
     /// The effect of such impulses, with the current levers, on the body of a side, 0 or 1: an

@@ -123,7 +123,7 @@ void report_crossings(const FinishInput& in) {
             return c.sensor != begin->sensor || c.visitor != begin->visitor;
         });
         const auto agrees = [&](const Crossing& c) {
-            return in.filter(c.part_of_sensor, c.part_of_visitor);
+            return is_allowed(in, c.part_of_sensor, c.part_of_visitor);
         };
         if (!touch(in.objects, begin->sensor, begin->visitor) &&
             std::none_of(begin, end, [](const Crossing& c) { return c.overlapped; }) &&

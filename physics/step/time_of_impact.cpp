@@ -82,9 +82,14 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
     return impact;
 }
 
+bool is_allowed(const FinishInput& in, uint32_t shape, uint32_t other) {
+    if (!in.filter || in.boxes.pairs.find(shape, other) != PairSet::absent) return true;
+    return in.filter(shape, other);
+}
+
 bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {
     if (in.objects.shapes[shape].surface.sensor || in.objects.shapes[other].surface.sensor ||
-        !may_collide(in.objects, in.filter, shape, other))
+        !may_collide(in.objects, {}, shape, other) || !is_allowed(in, shape, other))
         return false;
     // If all contacts act, no contact is read, because pairs may be ending at the same time
     // (`finish_bodies`).

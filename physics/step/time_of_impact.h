@@ -36,6 +36,8 @@ inline void for_each_pushing(const ObjectState& objects, uint32_t body, auto&& v
     });
 }
 
+/// True if the filter of the user agrees. It is asked only about shapes that are no pair yet.
+bool is_allowed(const FinishInput& in, uint32_t shape, uint32_t other);
 /// False if the two shapes do not collide, or if their contact does not act.
 bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other);
 

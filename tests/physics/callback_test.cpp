@@ -154,6 +154,28 @@ TEST_CASE("a filter function decides which shapes collide and a new one acts on 
     REQUIRE(ghost.position().y == Approx(0.5f).margin(0.01));
 }
 
+TEST_CASE("a filter is asked once about two shapes while they are near each other") {
+    World world({.sleeping = false});
+    add_floor(world);
+    Body ball = world.create_body({.position = {0, 0.4f}});  // is pushed out
+    ball.add(Circle{});
+    Body pusher = world.create_body(
+        {.type = BodyType::kinematic_body, .position = {8, 0.5f}, .velocity = {4, 0}});
+    pusher.add(Box{});
+    Body crate = add_box(world, {9, 0.5f});
+    Body sensor = world.create_body({.type = BodyType::static_body, .position = {12, 0.5f}});
+    sensor.add(Box{.width = 2}, {.sensor = true});
+    std::map<std::pair<BodyId, BodyId>, int> calls;
+    world.set_filter([&](const Shape& a, const Shape& b) {
+        ++calls[std::minmax(a.body().id(), b.body().id())];
+        return true;
+    });
+    for (int i = 0; i < 30; ++i) world.step(frame);
+    REQUIRE(crate.position().x > 10.5f);
+    REQUIRE(calls.size() == 4);  // two with the floor, pusher and crate, crate and sensor
+    for (const auto& [pair, count] : calls) CHECK(count == 1);
+}
+
 TEST_CASE("a touch that lasts is reported in every step after its first") {
     World world({.sleeping = false, .persist_events = true});
     add_floor(world);

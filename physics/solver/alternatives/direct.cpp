@@ -1,6 +1,7 @@
 #include <partition/union_find.h>
 #include <solver/alternatives/direct_problem.h>
 #include <solver/direct_row.h>
+#include <solver/geometric_stiffness.h>
 #include <solver/joint_passes.h>
 #include <solver/motion.h>
 #include <solver/solvers.h>
@@ -36,6 +37,7 @@ class DirectSolver {
 
     void pass(DirectPass pass) {
         write(pass);
+        raise_inertia_for_impulses();
         // The impulse of a bounce replaces that of the last sub-step, which was counted already.
         if (pass == DirectPass::bounced) {
             for_each_extra([](const ContactConstraint& c, ContactExtra& extra) {
@@ -71,6 +73,24 @@ class DirectSolver {
             write_rows(writer, c, c.extra != 0 ? &extras_[c.extra - 1] : nullptr, bodies_[c.a],
                        bodies_[c.b], input_.settings.push_speed,
                        input_.settings.restitution_threshold);
+        }
+    }
+
+    /// All joints pull at once here, and a load may hang on them from the first sub-step on, so the
+    /// forces with which the step began are not enough. Within a step the inertia only grows: if it
+    /// followed each change of a force, it would give energy to the bodies.
+    void raise_inertia_for_impulses() {
+        stiffness_.reset(bodies_.size());
+        for (size_t i = 0; i < input_.joints.joint_arrays.size(); ++i) {
+            const JointArray& array = input_.joints.joint_arrays[i];
+            const JointKind& kind = joint_kind(JointScratch::type_of(i));
+            for (size_t k = 0; k < array.joints.size(); ++k)
+                stiffness_.add(kind.ends(array, k), (1.0f / h_) * kind.load(array, k).push);
+        }
+        for (uint32_t i = 1; i < scales_.size(); ++i) {
+            const auto inverse = float(scales_[i].turn * scales_[i].turn);
+            const float raised = stiffness_.inverse_inertia(i, inverse, h_);
+            if (raised < inverse) scales_[i].turn = std::sqrt(double(raised));
         }
     }
 
@@ -117,6 +137,7 @@ class DirectSolver {
     float h_;
     StepStatistics& statistics_;
     std::vector<MassScale> scales_;  ///< by solver body
+    GeometricStiffness stiffness_;
     std::vector<DirectRow> rows_;
     std::deque<DirectProblem> problems_;
 };
