@@ -127,6 +127,23 @@ struct JointEnds {
         return square > wide * wide &&
                std::abs(dot(between, velocity(body_a, body_b))) < slow * std::sqrt(square);
     }
+    /// True if a gap is open because the bodies are pressed together along the line between them. A
+    /// straight chain that is pressed at its ends is in balance, although nothing holds it so.
+    bool is_pressed(const SolverBody& body_a, const SolverBody& body_b, Vec2 gap) const {
+        constexpr float wide = 0.01f, straight = 0.98f;  // m, cosine
+        if (max(std::abs(gap.x), std::abs(gap.y)) <= wide) return false;
+        const Vec2 centers = apart + (body_b.shift - body_a.shift);
+        const float against = -dot(gap, centers);
+        return against > 0.0f && against * against >= straight * straight * length_squared(gap) *
+                                                          length_squared(centers);
+    }
+    /// The gap of a pin that is pressed, turned a little, because forces that are exactly along a
+    /// straight chain would leave it straight and tear its pins apart. Neighbors in a chain usually
+    /// turn to opposite sides.
+    Vec2 buckled(Vec2 gap) const {
+        constexpr float part = 0.05f;
+        return gap + cross(b % 2 == 0 ? part : -part, gap);
+    }
     float inverse_along(Vec2 d) const { return detail::inverse_along(d, inverse_a, inverse_b); }
 
   private:

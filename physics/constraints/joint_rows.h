@@ -32,14 +32,16 @@ struct Spring {
     }
 };
 
-/// A row that keeps an error at 0. `velocity` is that of the error. Returns the change of
-/// `impulse`.
+/// A row that keeps an error at 0. `velocity` is that of the error. `reaction`: the part of the
+/// impulse with which the row answers a limit or a motor; it does not yield to that. Returns the
+/// change of `impulse`.
 template <bool biased>
-float push_rigid(float& impulse, float mass, float velocity, float error, const Softness& soft) {
+float push_rigid(float& impulse, float mass, float velocity, float error, const Softness& soft,
+                 float reaction = 0.0f) {
     float change = -mass * velocity;
     if constexpr (biased)
         change = -mass * soft.mass_scale * (velocity + soft.bias_rate * error) -
-                 soft.impulse_scale * impulse;
+                 soft.impulse_scale * (impulse - reaction);
     impulse += change;
     return change;
 }

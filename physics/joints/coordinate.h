@@ -170,7 +170,8 @@ struct CoordinateImpulses {
     float spring = 0.0f, motor = 0.0f;
     LimitImpulses limits;
     void scale(float s) { spring *= s, motor *= s, limits.scale(s); }
-    float sum() const { return spring + motor + limits.sum(); }
+    float of_bounds() const { return motor + limits.sum(); }
+    float sum() const { return spring + of_bounds(); }
 };
 
 struct Coordinate {
@@ -178,7 +179,10 @@ struct Coordinate {
     Motor motor;
     Spring spring;
     float target = 0.0f;
-    bool springy = false, driven = false, limited = false;
+    bool springy = false, limited = false;
+    bool driven = false;   ///< has a motor
+    bool drives = false;   ///< the motor has a speed: it is more than friction
+    bool bounded = false;  ///< has limits, or a motor that drives
 
     /// `moves`: an impulse along the coordinate has an effect.
     void prepare(const CoordinateSettings& settings, CoordinateImpulses& impulses, float h,
@@ -187,7 +191,9 @@ struct Coordinate {
             limits = settings.limits.in_order();
             springy = settings.stiffness.is_spring();
             driven = settings.motor.greatest > 0.0f;
+            drives = driven && settings.motor.speed != 0.0f;
             limited = limits.any();
+            bounded = limited || drives;
         }
         motor = {settings.motor.speed, settings.motor.greatest * h};
         target = settings.target;
@@ -197,25 +203,46 @@ struct Coordinate {
         if (!driven) impulses.motor = 0.0f;
         if (!limited) impulses.limits = {};
     }
-    /// The motor acts in the relax pass only, like the friction of contacts: in the biased pass it
-    /// would work against the correction of positions.
-    bool acts_biased() const { return springy || limited; }
-    bool acts_relaxed() const { return driven || limited; }
 
     /// True if the motor moves the bodies, and neither a limit nor an obstacle stops it.
     bool moves_bodies(float velocity) const { return driven && motor.moves_bodies(velocity); }
 
+    /// The first part of a pass, before the rigid rows of the joint: springs, in the biased pass,
+    /// and friction, in the relax pass. Motors, like the friction of contacts, act in the relax
+    /// pass only: in the biased pass they would work against the correction of positions.
     /// `velocity()` and `push(impulse)` are the functions of the coordinate.
     template <bool biased, class Velocity, class Push>
-    void solve(CoordinateImpulses& impulses, float mass, float position, const JointStep& step,
-               Velocity&& velocity, Push&& push) const {
+    void solve_alone(CoordinateImpulses& impulses, float mass, float position, Velocity&& velocity,
+                     Push&& push) const {
         if (biased && springy) {
             const float change =
                 spring.impulse(mass, velocity(), position - target, impulses.spring);
             impulses.spring += change;
             push(change);
         }
-        if (!biased && driven) {
+        if (!biased && driven && !drives)
+            push(push_motor(impulses.motor, mass, velocity(), 0.0f, motor.greatest));
+    }
+    /// True if the rigid rows hold reactions to the limits or to the motor.
+    bool has_reactions(const CoordinateImpulses& impulses) const {
+        return drives || impulses.limits.lower > 0.0f || impulses.limits.upper > 0.0f;
+    }
+    /// True if a pass changes impulses of the motor or of the limits.
+    template <bool biased>
+    bool is_bounded(const CoordinateImpulses& impulses, float position, float velocity,
+                    const JointStep& step) const {
+        if (!biased && drives) return true;
+        return limited && (impulses.limits.lower > 0.0f || impulses.limits.upper > 0.0f ||
+                           velocity + (position - limits.lower) * step.inverse_h < 0.0f ||
+                           (limits.upper - position) * step.inverse_h - velocity < 0.0f);
+    }
+    /// The last part of a pass, after the rigid rows, if `is_bounded`: the motor and the limits,
+    /// with the mass that the rigid rows leave. `push` also gives the rigid rows their reaction:
+    /// see free_rows.h.
+    template <bool biased, class Velocity, class Push>
+    void solve_bounds(CoordinateImpulses& impulses, float mass, float position,
+                      const JointStep& step, Velocity&& velocity, Push&& push) const {
+        if (!biased && drives) {
             const float speed = motor.speed_within(limits, position, step.inverse_h);
             push(push_motor(impulses.motor, mass, velocity(), speed, motor.greatest,
                             speed != motor.speed));

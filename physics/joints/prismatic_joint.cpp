@@ -57,8 +57,9 @@ struct PrismaticConstraint {
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         if (biased) close_wide_angle(ends, a, b, ends.angle_now(a, b) - reference, step);
         rail.follow(ends, a, b);
-        rail.solve_along<biased>(impulses.rail, ends, a, b, step);
+        rail.solve_alone<biased>(impulses.rail, ends, a, b, step);
         solve_block<biased>(a, b, step);
+        rail.solve_bounds<biased>(impulses.rail, ends, a, b, step, &impulses.angle);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         rail.follow(ends, a, b);
@@ -84,6 +85,7 @@ struct PrismaticConstraint {
         const float k22 = ia + ib > 0.0f ? ia + ib : 1.0f;
         float v1 = across.velocity(a, b), v2 = b.angular_velocity - a.angular_velocity;
         float scale = 1.0f, rest = 0.0f;
+        RailReaction reaction;
         if (biased) {
             const float offset = rail.close_wide_gap(ends, a, b, step);
             const Softness soft = step.softness(offset);
@@ -91,12 +93,14 @@ struct PrismaticConstraint {
             v2 += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
             scale = soft.mass_scale;
             rest = soft.impulse_scale;
+            reaction = rail.reaction(impulses.rail, ends, a, b, true);
         }
+        const float own1 = impulses.rail.across - reaction.across,
+                    own2 = impulses.angle - reaction.turning;
         const float inverse = inverse_or_zero(k11 * k22 - k12 * k12);
-        const float p1 = -scale * inverse * (k22 * v1 - k12 * v2) - rest * impulses.rail.across;
-        const float p2 = ia + ib > 0.0f
-                             ? -scale * inverse * (k11 * v2 - k12 * v1) - rest * impulses.angle
-                             : 0.0f;
+        const float p1 = -scale * inverse * (k22 * v1 - k12 * v2) - rest * own1;
+        const float p2 =
+            ia + ib > 0.0f ? -scale * inverse * (k11 * v2 - k12 * v1) - rest * own2 : 0.0f;
         impulses.rail.across += p1;
         impulses.angle += p2;
         across.push(ends, a, b, p1);

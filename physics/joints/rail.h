@@ -1,6 +1,6 @@
 #pragma once
 
-#include <joints/coordinate.h>
+#include <joints/free_rows.h>
 #include <joints/joint_handle.h>
 
 // A line on body a, and a point of body b that slides along it: the common part of prismatic,
@@ -37,6 +37,10 @@ struct RailImpulses {
     void scale(float s) { across *= s, along.scale(s); }
 };
 
+struct RailReaction {
+    float across = 0.0f, turning = 0.0f;
+};
+
 struct Rail {
     Vec2 start_axis;
     Line along, across;
@@ -66,22 +70,55 @@ struct Rail {
         along.push(ends, a, b, impulses.along.sum());
         across.push(ends, a, b, impulses.across);
     }
+    /// The first part of a pass, before the rigid rows. Closes what is far beyond a limit.
     template <bool biased>
-    void solve_along(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
-                     const JointStep& step) const {
-        if (!(biased ? coordinate.acts_biased() : coordinate.acts_relaxed())) return;
-        const float place = biased ? close_beyond_limits(ends, a, b, step) : translation;
-        coordinate.solve<biased>(
-            impulses.along, along.mass, place, step, [&] { return along.velocity(a, b); },
+    void solve_alone(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
+                     const JointStep& step) {
+        if (biased && coordinate.limited) translation = close_beyond_limits(ends, a, b, step);
+        coordinate.solve_alone<biased>(
+            impulses.along, along.mass, translation, [&] { return along.velocity(a, b); },
             [&](float p) { along.push(ends, a, b, p); });
     }
+    FreeSlide free_slide(const JointEnds& ends, const SolverBody& a, const SolverBody& b,
+                         bool holds_angle) const {
+        return FreeSlide::make(ends, along, across, a, b, holds_angle);
+    }
+    /// The parts of the impulses of the rigid rows that are reactions to the motor and the limits.
+    RailReaction reaction(const RailImpulses& impulses, const JointEnds& ends, const SolverBody& a,
+                          const SolverBody& b, bool holds_angle) const {
+        if (!coordinate.bounded || !coordinate.has_reactions(impulses.along)) return {};
+        const FreeSlide free = free_slide(ends, a, b, holds_angle);
+        const float bounds = impulses.along.of_bounds();
+        return {bounds * free.across, bounds * free.turning};
+    }
+    /// The last part of a pass, after the rigid rows. `twist`: impulse of the row that holds the
+    /// angle, if there is one.
     template <bool biased>
-    void solve_across(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
-                      const JointStep& step) const {
+    void solve_bounds(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
+                      const JointStep& step, float* twist = nullptr) const {
+        if (!coordinate.bounded) return;
+        if (!coordinate.is_bounded<biased>(impulses.along, translation, along.velocity(a, b), step))
+            return;
+        const FreeSlide free = free_slide(ends, a, b, twist != nullptr);
+        coordinate.solve_bounds<biased>(
+            impulses.along, free.mass, translation, step, [&] { return along.velocity(a, b); },
+            [&](float p) {
+                along.push(ends, a, b, p);
+                across.push(ends, a, b, p * free.across);
+                impulses.across += p * free.across;
+                if (twist == nullptr) return;
+                detail::twist(a, b, p * free.turning);
+                *twist += p * free.turning;
+            });
+    }
+    /// `reaction`: the part of the impulse across that is the reaction to a motor or a limit.
+    template <bool biased>
+    void solve_across(RailImpulses& impulses, float reaction, const JointEnds& ends, SolverBody& a,
+                      SolverBody& b, const JointStep& step) const {
         const float error = biased ? close_wide_gap(ends, a, b, step) : offset;
         across.push(ends, a, b,
                     push_rigid<biased>(impulses.across, across.mass, across.velocity(a, b), error,
-                                       step.softness(error)));
+                                       step.softness(error), reaction));
     }
     /// Closes a wide gap across the axis; returns the remaining offset.
     float close_wide_gap(const JointEnds& ends, SolverBody& a, SolverBody& b,
@@ -127,8 +164,11 @@ struct SlotConstraint {
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         rail.follow(ends, a, b);
-        rail.solve_along<biased>(impulses.rail, ends, a, b, step);
-        rail.solve_across<biased>(impulses.rail, ends, a, b, step);
+        rail.solve_alone<biased>(impulses.rail, ends, a, b, step);
+        RailReaction reaction;
+        if (biased) reaction = rail.reaction(impulses.rail, ends, a, b, false);
+        rail.solve_across<biased>(impulses.rail, reaction.across, ends, a, b, step);
+        rail.solve_bounds<biased>(impulses.rail, ends, a, b, step);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         rail.follow(ends, a, b);

@@ -1,4 +1,4 @@
-#include <joints/coordinate.h>
+#include <joints/free_rows.h>
 #include <joints/joint_handle.h>
 #include <joints/joint_types.h>
 
@@ -13,8 +13,8 @@
 // links that swing fast under a heavy load would gain energy. The rows about the angle θ = θ_b -
 // θ_a - reference have Ċ = ω_b - ω_a and the effective mass 1/(I_a⁻¹ + I_b⁻¹): a spring to the
 // target, a motor that drives a velocity with a maximum torque, and limits θ - lower >= 0, upper -
-// θ >= 0. They are solved first and the point last, because an error of the point is visible at
-// once.
+// θ >= 0. The spring and friction are solved first, by themselves, then the point, and then the
+// motor and the limits, with the reactions of the point (`FreeTurn`).
 
 namespace fettle::physics {
 namespace detail {
@@ -42,7 +42,10 @@ struct RevoluteConstraint {
 
     JointEnds ends;
     RevoluteImpulses impulses;
-    PointMass mass;  ///< for the current levers; bodies rotate only between the two passes
+    FreeTurn free;  ///< for the current levers, if it is known
+    bool free_is_known = false;
+    bool pressed = false;  ///< at the start of the step
+    PointMass mass;        ///< for the current levers; bodies rotate only between the two passes
     float angular_mass = 0.0f, reference = 0.0f;
     Coordinate angle;
 
@@ -57,25 +60,33 @@ struct RevoluteConstraint {
         reference = settings.reference_angle;
         angle.prepare(settings.angle, impulses.angle, step.h, angular_mass > 0.0f);
         mass = PointMass::make(ends, a, b);
+        pressed = ends.is_pressed(a, b, ends.gap(a, b));
     }
     void warm_start(SolverBody& a, SolverBody& b) const {
         ends.push(a, b, impulses.point);
         detail::twist(a, b, load().twist);
     }
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
-        if (angle.acts_biased()) solve_angle<true>(a, b, step);
+        if (angle.springy) solve_alone<true>(a, b);
         // The bodies have not moved since the last relax pass, or since the start of the step.
         const Vec2 gap = ends.close_wide_gap(a, b, ends.gap(a, b), step);
         const Softness soft = step.softness(gap);
-        const Vec2 velocity = ends.velocity(a, b) + soft.bias_rate * gap;
-        push_point(a, b,
-                   -(soft.mass_scale * (mass * velocity) + soft.impulse_scale * impulses.point));
+        const Vec2 wanted = pressed ? ends.buckled(gap) : gap;
+        const Vec2 velocity = ends.velocity(a, b) + soft.bias_rate * wanted;
+        Vec2 own = impulses.point;
+        if (angle.bounded && angle.has_reactions(impulses.angle))
+            own = own - impulses.angle.of_bounds() * free_turn(a, b).reaction;
+        push_point(a, b, -(soft.mass_scale * (mass * velocity) + soft.impulse_scale * own));
+        if (angle.bounded) solve_bounds<true>(a, b, step);
     }
     void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
-        if (angle.acts_relaxed()) solve_angle<false>(a, b, step);
+        if (angle.driven) solve_alone<false>(a, b);
         ends.follow(a, b);
         mass = PointMass::make(ends, a, b);
         push_point(a, b, -(mass * ends.velocity(a, b)));
+        if (!angle.bounded) return;
+        free_is_known = false;
+        solve_bounds<false>(a, b, step);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         ends.follow(a, b);
@@ -85,16 +96,32 @@ struct RevoluteConstraint {
     }
     JointLoad load() const { return {impulses.point, impulses.angle.sum()}; }
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
-        return angle.moves_bodies(b.angular_velocity - a.angular_velocity);
+        return pressed || angle.moves_bodies(b.angular_velocity - a.angular_velocity);
     }
 
   private:
+    const FreeTurn& free_turn(const SolverBody& a, const SolverBody& b) {
+        if (!free_is_known) free = FreeTurn::make(ends, a, b);
+        free_is_known = true;
+        return free;
+    }
     template <bool biased>
-    void solve_angle(SolverBody& a, SolverBody& b, const JointStep& step) {
-        angle.solve<biased>(
-            impulses.angle, angular_mass, ends.angle_now(a, b) - reference, step,
+    void solve_alone(SolverBody& a, SolverBody& b) {
+        angle.solve_alone<biased>(
+            impulses.angle, angular_mass, ends.angle_now(a, b) - reference,
             [&] { return b.angular_velocity - a.angular_velocity; },
             [&](float p) { detail::twist(a, b, p); });
+    }
+    template <bool biased>
+    void solve_bounds(SolverBody& a, SolverBody& b, const JointStep& step) {
+        const auto velocity = [&] { return b.angular_velocity - a.angular_velocity; };
+        const float place = ends.angle_now(a, b) - reference;
+        if (!angle.is_bounded<biased>(impulses.angle, place, velocity(), step)) return;
+        const FreeTurn& turn = free_turn(a, b);
+        angle.solve_bounds<biased>(impulses.angle, turn.mass, place, step, velocity, [&](float p) {
+            detail::twist(a, b, p);
+            push_point(a, b, p * turn.reaction);
+        });
     }
     void push_point(SolverBody& a, SolverBody& b, Vec2 change) {
         impulses.point = impulses.point + change;
