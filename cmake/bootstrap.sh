@@ -82,12 +82,15 @@ missing_packages() {
 known_to_apt() { apt-cache show -- "$1" >/dev/null 2>&1; }
 
 # What to install for each line: the first alternative that apt knows. Where it knows none, the first one,
-# or nothing for an optional line.
+# or nothing for an optional line. Apt is asked once for all: it reads all its lists each time, where it may not keep them.
 installable() {
-    local line name
+    local line name known
+    (($#)) || return 0
+    # shellcheck disable=SC2048,SC2086
+    known=$(apt-cache show -- ${*//[|?]/ } 2>/dev/null | sed -n 's/^Package: //p' | tr '\n' ' ') || true
     for line in "$@"; do
         for name in ${line//[|?]/ }; do
-            if known_to_apt "$name"; then
+            if [[ " $known" == *" $name "* ]]; then
                 printf '%s\n' "$name"
                 continue 2
             fi

@@ -13,6 +13,7 @@ fakes=$work/fakes
 calls=$work/calls
 installed=$work/installed
 known=$work/known
+asked=$work/asked  # a line for each time that apt was asked what it knows
 
 pretend() {
     cat >"$fakes/$1"
@@ -39,8 +40,12 @@ LIST
     pretend dpkg-query <<<"#!/bin/sh
 sed 's/^/installed /' '$installed'"
     pretend apt-cache <<<"#!/bin/sh
-for name; do :; done
-grep -qx -- \"\$name\" '$known'"
+echo >>'$asked'
+status=100
+for name; do
+    if grep -qx -- \"\$name\" '$known'; then echo \"Package: \$name\"; status=0; fi
+done
+exit \$status"
     pretend apt-get <<<"#!/bin/sh
 echo \"apt-get \$*\" >>'$calls'
 case \" \$* \" in
@@ -152,6 +157,14 @@ case_root_installs_only_what_is_missing() {
     expect_no_call compiler
     expect_no_call update
     expect_no_call sudo
+}
+
+case_apt_is_asked_once_what_it_knows_of_all_packages() {
+    true >"$installed"
+    run "$project/check"
+    expect_status 0
+    # Of the core, and of the others when it is there; each time also whether the lists of packages have been read.
+    (($(wc -l <"$asked") <= 5)) || wrong "apt was asked $(wc -l <"$asked") times"
 }
 
 case_sudo_without_a_password_installs() {

@@ -382,6 +382,44 @@ echo short
     expect_failure "long"
 }
 
+# prepare: makes the checkout that pages link to.
+prepare() {
+    echo "as it was" >"$project/kept.txt"
+    "$project/tests/documents/follow.sh" --prepare "$work/prepared"
+    export FETTLE_PREPARED=$work/prepared
+}
+
+case_pages_may_replace_the_files_of_a_prepared_checkout_and_other_pages_do_not_see_it() {
+    prepare
+    follow <<'PAGE'
+```sh
+sed -i s/was/is/ kept.txt
+cat kept.txt
+```
+
+```text
+as it is
+```
+
+```lua tests/documents/cases.sh
+print(1)
+```
+PAGE
+    expect_success
+    [[ $(<"$work/prepared/kept.txt") == "as it was" ]] || wrong "the next page should see the file as it was"
+    cmp -s "$work/prepared/tests/documents/cases.sh" "$project/tests/documents/cases.sh" || wrong "a file of a page should be its own"
+}
+
+case_a_page_that_writes_into_a_file_of_a_prepared_checkout_is_a_failure() {
+    prepare
+    follow <<'PAGE'
+```sh
+echo more >>kept.txt
+```
+PAGE
+    expect_failure "its commands write into files that all pages share: $work/prepared/kept.txt"
+}
+
 # reference: builds the reference of a header, which is on the standard input. The name decides whether it is one in C.
 reference() {
     mkdir -p "$work/include/host"

@@ -7,7 +7,8 @@
 #   follow.sh --draw DOCUMENT BUILD FOLDER    the same, and writes the pictures of the document in place of comparing them
 #   follow.sh --full DOCUMENT BUILD FOLDER    runs only the blocks marked "full", in the checkout that this file is part of
 #   follow.sh --hosts DOCUMENT BUILD FOLDER   also runs the blocks marked "hosts", which need the packages of `check --hosts`
-#   follow.sh --prepare FOLDER    makes the checkout FOLDER. Where FETTLE_PREPARED names it, the other forms copy it, which is quicker
+#   follow.sh --prepare FOLDER    makes the checkout FOLDER. Where FETTLE_PREPARED names it, the other forms link to its files, which is
+#                                 quicker than a copy: a page may replace these files, but not write into them
 #
 # How each kind of block is tested, and what the marks in comments mean, is in docs/design/testing.md.
 set -euo pipefail
@@ -36,6 +37,7 @@ if [[ ${1:-} == --prepare ]]; then
     rm -rf -- "$2"
     mkdir -p -- "$(dirname -- "$2")"
     make_checkout "$2"
+    touch -- "$2.made"
     exit
 fi
 document=$1 folder=$3
@@ -68,7 +70,12 @@ if ((full)); then
     environment=(env)
     checkout=$sources
 elif [[ -n ${FETTLE_PREPARED:-} ]]; then
-    cp -a -- "$FETTLE_PREPARED" "$checkout"
+    cp -al -- "$FETTLE_PREPARED" "$checkout" 2>/dev/null || { rm -rf -- "$checkout" && cp -a -- "$FETTLE_PREPARED" "$checkout"; }
+    # `fettle docs` writes into these files.
+    if [[ -e $checkout/docs/reference ]]; then
+        rm -r -- "$checkout/docs/reference"
+        cp -a -- "$FETTLE_PREPARED/docs/reference" "$checkout/docs/"
+    fi
 else
     make_checkout "$checkout"
 fi
@@ -103,6 +110,7 @@ $printed"
 write_file() {
     # shellcheck disable=SC2016
     in_terminal 'mkdir -p -- "$(dirname -- "'"${block_file[i]}"'")"; pwd' || fail "$printed"
+    rm -f -- "${printed%$'\n'}/${block_file[i]}"  # perhaps linked to the prepared checkout
     printf '%s' "${block_text[i]}" >"${printed%$'\n'}/${block_file[i]}"
 }
 
@@ -245,6 +253,10 @@ for i in "${!block_kind[@]}"; do
 done
 drawing_last=1
 for i in ${last_pictures[@]+"${last_pictures[@]}"}; do draw_picture; done
+if [[ -n ${FETTLE_PREPARED:-} ]]; then
+    written=$(find "$FETTLE_PREPARED" -newer "$FETTLE_PREPARED.made" -type f)
+    [[ -z $written ]] || { printf '%s: its commands write into files that all pages share: %s\n' "$document" "$written"; exit 1; }
+fi
 printf '%s: %d blocks, all as they stand\n' "$document" "$tested"
 # Forty checkouts would be written to the disk while other tests run. That of a page with an error stays.
 if [[ -n ${FETTLE_PREPARED:-} ]]; then rm -rf -- "$folder"; fi

@@ -17,3 +17,5 @@ inline auto contains(const std::string& part) {
     return Catch::Matchers::Contains(part);
 }
 #endif
+
+#include "checks.h"
