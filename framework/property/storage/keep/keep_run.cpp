@@ -72,9 +72,24 @@ void KeepRun::update_other_scenes(const Rows& rows) {
 InstanceMoves KeepRun::change_homes(const std::vector<MoveStep>& moves,
                                     const std::filesystem::path& file) {
     const InstanceMoves all = combined_moves(moves);
+    rename_in_scenes(all, file);
+    change_paths_in_rows(all);
+    return all;
+}
+
+void KeepRun::moved_by_path(const std::vector<MoveStep>& moves,
+                            const std::vector<MoveStep>& named_by_scenes) {
+    rename_in_scenes(combined_moves(named_by_scenes), state.kept.file());
+    change_paths_in_rows(combined_moves(moves));
+}
+
+void KeepRun::rename_in_scenes(const InstanceMoves& moves, const std::filesystem::path& except) {
     OtherScenes others(state, report);
-    others.rename(all, file);
+    others.rename(moves, except);
     others.write();
+}
+
+void KeepRun::change_paths_in_rows(const InstanceMoves& all) {
     std::vector<std::pair<JournalRow*, std::string>> homes;
     for (JournalRow& row : state.earlier.rows)
         if (row.state == RowState::open) homes.emplace_back(&row, all.now(row_paths.home(row)));
@@ -87,7 +102,6 @@ InstanceMoves KeepRun::change_homes(const std::vector<MoveStep>& moves,
         if (std::exchange(row->instance, path) != path || row->kind == Kind::moved)
             state.renamed_earlier(*row);
     }
-    return all;
 }
 
 void KeepRun::take_out(const Rows& rows, std::vector<std::string> (KeptTweaks::*take)(

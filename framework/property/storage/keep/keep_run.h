@@ -44,6 +44,10 @@ struct KeepRun {
     /// Renames the instances in all other files and rows after `file` got new names.
     InstanceMoves change_homes(const std::vector<MoveStep>& moves,
                                const std::filesystem::path& file);
+    /// Does the same after the file of kept tweaks got new names or parents of instances. Scene
+    /// files name the parts of scenes as before; `named_by_scenes` are the other moves.
+    void moved_by_path(const std::vector<MoveStep>& moves,
+                       const std::vector<MoveStep>& named_by_scenes);
     /// Removes deleted instances from the file of kept tweaks.
     void take_out(const Rows& rows, std::vector<std::string> (KeptTweaks::*take)(
                                         const std::vector<std::string>& paths));
@@ -54,6 +58,8 @@ struct KeepRun {
     RowPaths row_paths;
 
   private:
+    void rename_in_scenes(const InstanceMoves& moves, const std::filesystem::path& except);
+    void change_paths_in_rows(const InstanceMoves& moves);
     void mark_kept(const std::filesystem::path& file, const Rows& rows);
     void describe(const Document& document, const Document::Node& node, Handle parent,
                   Handle instance);

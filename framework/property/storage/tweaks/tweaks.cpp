@@ -484,7 +484,8 @@ void Tweaks::placed(Handle instance) {
     usable().kept.apply_values(instance);
 }
 void Tweaks::game_loaded() {
-    usable().kept.apply_all();
+    State& state = usable();
+    for (const Handle moved : state.kept.apply_all()) state.origins.forget_part(state.tree, moved);
 }
 std::filesystem::path Tweaks::journal() const {
     return state_->journal ? state_->journal->file() : std::filesystem::path();
