@@ -94,15 +94,6 @@ TEST_CASE("a plot shows the past and a click goes to that moment") {
     CHECK(rig.text().find("neither a number, a vector nor a boolean") != std::string::npos);
 }
 
-TEST_CASE("a plot of how long frames take begins with the present ones") {
-    ObservingRig rig;
-    rig.step(100);
-    rig.run("plot time.timings.modules * 1000, world.ball.position.x");
-    REQUIRE(rig.plots().size() == 2);
-    CHECK(rig.plots()[0].samples().size() <= 1);
-    CHECK(rig.plots()[1].samples().front().step == 0);
-}
-
 TEST_CASE("samples after a moment are dropped when the game goes on from it") {
     ObservingRig rig;
     rig.run("plot world.ball.position.x");

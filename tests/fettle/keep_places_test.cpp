@@ -319,7 +319,8 @@ TEST_CASE("a new name or parent of one of several instances of a scene is kept f
                                         "2:world.m.a = Body {mass = 3}", "3:keep(\"**\")"});
         INFO(kept.out);
         CHECK(contains(kept.out, "kept 3 tweaks in main.tweaks.json"));
-        CHECK(contains(kept.out, "for one of 3 instances of l.json only; keep_for_all"));
+        CHECK(contains(kept.out, "and 1 more: each for one of 3 instances of l.json only\n"));
+        CHECK(contains(kept.out, "world.m.a: for one of 3 instances of l.json only; keep_for_all"));
         CHECK(game.text("l.json") == two);
         CHECK(contains(game.text("main.tweaks.json"), "\"world.m.a\": \"world.m.arm\""));
         CHECK(output_of_next_run(game,
@@ -391,6 +392,13 @@ TEST_CASE("another parent of a part of a scene is kept beside the script") {
         run(game, {"1:world.l:delete()", "3:keep(\"**\")"});
         CHECK(output_of_next_run(game, "print(world:has(\"l\"), world.s.a.angle)") ==
               "false\t1.0\n");
+    }
+    SECTION("which is deleted with its new parent, and another one has its place") {
+        run(game, {"1:world.s:delete()", "2:world.l.a = Body {mass = 3}", "3:keep(\"**\")",
+                   "4:world.l.a.mass = 4", "5:keep(\"**\")"});
+        CHECK(game.text("l.json") == two);
+        CHECK(output_of_next_run(game, "print(world:has(\"s\"), world.l.a.mass)") ==
+              "false\t4.0\n");
     }
     SECTION("and the game is loaded again with it") {
         const Outcome again =

@@ -103,17 +103,27 @@ class Keeping {
 
     static bool is_kept(const JournalRow& row) { return row.state == RowState::kept; }
 
+    /// Whether `keep_for_all` can write the change later: not for a part that the file of kept
+    /// tweaks moves, nor for what is below it.
+    static bool is_for_all_later(const JournalRow& row) {
+        return row.kind != Kind::moved && (row.kind != Kind::value || !row.file.empty());
+    }
+
     void note_for_one() {
-        std::map<std::string, std::vector<const ForOne*>> by_scene;
+        std::map<std::pair<std::string, bool>, std::vector<const ForOne*>> by_scene;
         for (const ForOne& each : for_one_rows_)
-            if (is_kept(*each.row)) by_scene[each.scene].push_back(&each);
-        for (const auto& [scene, rows] : by_scene)
+            if (is_kept(*each.row))
+                by_scene[{each.scene, is_for_all_later(*each.row)}].push_back(&each);
+        for (const auto& [key, rows] : by_scene) {
+            const auto& [scene, later] = key;
             run_.report.notes.push_back(
                 path_of(*rows.front()->row) +
                 (rows.size() == 1 ? std::string(": ")
                                   : " and " + std::to_string(rows.size() - 1) + " more: each ") +
                 "for one of " + std::to_string(rows.front()->others + 1) + " instances of " +
-                scene + " only; keep_for_all writes into " + scene + ", for all of them");
+                scene + " only" +
+                (later ? "; keep_for_all writes into " + scene + ", for all of them" : ""));
+        }
     }
 
     void note_for_all() {

@@ -122,7 +122,8 @@ void keep_by_path(KeepRun& run, const Rows& rows) {
             [&](const JournalRow& row) { apply_to_kept(run, row); });
         done.insert(done.end(), into.begin(), into.end());
         if (!run.write(run.state.kept.file(), done, [&] { run.state.kept.write(); })) return;
-        run.mark_described(done);
+        run.mark_restored(done);
+        KeepRun::mark_made_by_path(done);
         run.update_other_scenes(done);
     } catch (const SceneError& error) {
         run.state.kept.reload();

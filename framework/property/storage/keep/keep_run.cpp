@@ -31,20 +31,32 @@ void KeepRun::mark_kept(const std::filesystem::path& file, const Rows& kept) {
     }
 }
 
+void KeepRun::mark_restored(const Rows& rows) {
+    for (const JournalRow* row : rows) {
+        if (row->kind != Kind::restored || row->run != 0) continue;
+        Tweaks::State::Entry& its = state.entry_of(*row);
+        Tweaks::State::Entry& deletion = *state.deleted.at(its.handle.key());
+        deletion.gone = true;
+        deletion.kept_version = 0;  // the file has it again
+        state.touch(deletion);
+    }
+}
+
 void KeepRun::mark_described(const Rows& rows) {
     for (const JournalRow* row : rows) {
-        if (row->kind == Kind::restored && row->run == 0) {
-            Tweaks::State::Entry& its = state.entry_of(*row);
-            Tweaks::State::Entry& deletion = *state.deleted.at(its.handle.key());
-            deletion.gone = true;
-            deletion.kept_version = 0;  // the file has it again
-            state.touch(deletion);
-        }
         if (row->kind != Kind::created || row->run != 0) continue;
         const Handle made = state.entry_of(*row).handle;
         if (!state.tree.alive(made)) continue;
         const Document document(row->now, "its scene");
         describe(document, document.root(), state.tree.parent(made), made);
+    }
+}
+
+void KeepRun::mark_made_by_path(const Rows& rows) {
+    for (JournalRow* row : rows) {
+        if (row->kind != Kind::created) continue;
+        row->file.clear();
+        row->inside.clear();
     }
 }
 

@@ -37,8 +37,11 @@ struct KeepRun {
         return true;
     }
 
-    /// Marks new instances, and those made with them, as described by the file.
+    void mark_restored(const Rows& rows);
+    /// Marks new instances, and those made with them, as described by a scene file, or as in none:
+    /// then what is edited of them is kept by path, too.
     void mark_described(const Rows& rows);
+    static void mark_made_by_path(const Rows& rows);
     /// Changes the references in other scene files to instances that were deleted or restored.
     void update_other_scenes(const Rows& rows);
     /// Renames the instances in all other files and rows after `file` got new names.
