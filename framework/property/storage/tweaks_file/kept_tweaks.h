@@ -84,7 +84,9 @@ class KeptTweaks {
     std::string place_of(const std::string& instance, const std::string& property) const;
     bool makes(const std::string& path) const;
     bool deletes(const std::string& path) const;
-    /// Whether the file moves an instance to `path`, and whether it moves one away from there.
+    /// Whether the file moves any instance, whether it moves one to `path`, and whether it moves
+    /// one away from there.
+    bool moves_any() const { return !contents_.moved.empty(); }
     bool moves_to(const std::string& path) const;
     bool moves_away(const std::string& path) const;
     /// The path of an instance that the file moves out of what is at `path`; "" if there is none.
