@@ -178,8 +178,9 @@ void PropertyEditor::mixed_line(const Target& target, float start, float indent,
     if (text.empty()) return;
     ImGui::SetCursorPosX(start);
     const float whole = ImGui::GetContentRegionAvail().x;
-    // A text that is too long for its place below the value begins below the name.
-    const float left = std::clamp(whole - text_width(text), ImGui::GetFontSize(), indent);
+    // A text that is too long for its place below the value begins below the name: always at the
+    // same place, because it changes while the bodies move.
+    const float left = text_width(text) <= whole - indent ? indent : ImGui::GetFontSize();
     const float room = whole - left;
     ImGui::SetCursorPosX(start + left);
     draw_text_fit(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), palette::dim, text,

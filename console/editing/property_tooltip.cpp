@@ -2,6 +2,7 @@
 
 #include <editing/property_editor.h>
 
+#include <fettle/property/earlier_writer.h>
 #include <fettle/script/reference.h>
 
 #include <look/imgui_compat.h>
@@ -26,9 +27,9 @@ void PropertyEditor::tooltip(const Target& target, ImFont* bold) {
     for (const std::string& source : target.property->derives_from)
         sources += (sources.empty() ? "from " : ", ") + source;
     if (!sources.empty()) text_line(wrapped(sources, ImGui::GetFontSize() * 28));
-    if (const property::Provenance written = tree_.last_writer(target.instance, *target.property);
-        written.known)
-        text_line("written last by " + written.cause.text());
+    if (const std::string writer = last_writer_text(tree_, target.instance, *target.property);
+        !writer.empty())
+        text_line("written last by " + writer);
     ImGui::PushStyleColor(ImGuiCol_Text, palette::path);
     text_line(tree_.path(target.instance, *target.property));
     ImGui::PopStyleColor();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fettle/property/earlier_writer.h>
+
 #include <editing/property_editor.h>
 #include <look/theme.h>
 
@@ -62,7 +64,8 @@ void PropertyEditor::gutter(const Target& target, ImVec2 at, float width) {
         list.AddRectFilled(ImVec2(middle - 1.5f, at.y + 0.2f * height),
                            ImVec2(middle + 1.5f, at.y + 0.8f * height), color, 1.5f);
     }
-    if (hovered) show_tip("written last by " + written.cause.text());
+    if (hovered)
+        show_tip("written last by " + last_writer_text(tree_, target.instance, *target.property));
     if (clicked && go_to_write)
         go_to_write(written.cause, tree_.path(target.instance, *target.property));
 }

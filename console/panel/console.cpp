@@ -434,27 +434,6 @@ bool Console::is_open() const {
 void Console::open(bool open) {
     state_->open(open);
 }
-std::shared_ptr<const Continuation> Console::continuation() const {
-    return std::make_shared<const Continuation>(
-        Continuation{.lines = state_->log.lines(),
-                     .open = state_->is_open(),
-                     .selected_path = state_->status.selected_path,
-                     .keys = state_->observing.keys(),
-                     .aliases = state_->prompt.aliases(),
-                     .breaks = state_->observing.breaks().texts_to_keep()});
-}
-void Console::continue_from(const Continuation& earlier) {
-    State& s = *state_;
-    s.log.put_first(earlier.lines);
-    if (!earlier.lines.empty()) s.log.note("the game begins again");
-    s.status.greeted = s.status.greeted || !earlier.lines.empty();
-    // The next frame selects it, if there is one with this path.
-    s.status.selected_path = earlier.selected_path;
-    s.observing.take_keys(earlier.keys);
-    s.prompt.take_aliases(earlier.aliases);
-    s.status.breaks = earlier.breaks;
-    if (earlier.open) s.open(true);
-}
 bool Console::listens() const {
     return state_->settings.flag("listen");
 }

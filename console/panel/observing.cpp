@@ -96,6 +96,12 @@ std::vector<std::string> in_columns(const std::vector<std::pair<std::string, std
     return lines;
 }
 
+/// Whether it reads how long frames took: that is no part of the kept past, in which the present
+/// times would be read for every step.
+bool reads_timings(const Trace& trace) {
+    return trace.what().text.find("time.timings") != std::string::npos;
+}
+
 }  // namespace
 
 std::vector<std::string> Observing::values_of(std::vector<Trace>& traces) {
@@ -338,7 +344,7 @@ void Observing::read_past(const Review& review) {
     bool plotted = false;
     for (auto* all : {&pins_, &plots_})
         for (Trace& trace : *all)
-            if (std::exchange(trace.needs_past, false)) {
+            if (std::exchange(trace.needs_past, false) && !reads_timings(trace)) {
                 wanting.push_back(&trace);
                 plotted = plotted || all == &plots_;
             }

@@ -107,6 +107,7 @@ struct Status {
     bool restored = false;                  // what was pinned and plotted in earlier runs
     std::string selected_path;              // of the selected instance when it was last seen
     std::vector<std::string> breaks{};      // conditions of the run before a restart
+    std::vector<std::string> overlays{};    // the same for overlays that were shown
     std::size_t edits_without_undo = 0;     // of which the log has told
     bool goes_on = false;                   // a pause ends before the next frame
     std::optional<std::string> terminal{};  // whose command runs now; "" has no name
@@ -118,6 +119,7 @@ struct Continuation {
     std::string selected_path{};
     std::map<std::string, std::string> keys{}, aliases{};  // with their commands
     std::vector<std::string> breaks{};                     // conditions
+    std::vector<std::string> overlays{};                   // names in `view.show`
 };
 
 struct Console::State {
@@ -183,6 +185,7 @@ struct Console::State {
     void restore_observed();
     Layout layout() const;
     void keep_layout();
+    std::vector<std::string> chosen_overlays() const;
     /// The value of an expression; none if it is no number. Throws what is wrong with it.
     std::optional<double> calculated(const std::string& expression);
     /// Runs a command of a button, a menu or a key as if it were typed.

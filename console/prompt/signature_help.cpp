@@ -43,6 +43,19 @@ std::string first_sentence(const std::string& doc) {
     return end == std::string::npos ? doc : doc.substr(0, end + 1);
 }
 
+/// The parameter without blanks, and without the brackets that mark it or the next one as optional:
+/// "force" of "force [, point]". Those of a list, as in "vec[]", stay.
+ParameterRange without_brackets(std::string_view text, ParameterRange of) {
+    while (of.begin < of.end && (text[of.begin] == ' ' || text[of.begin] == '[')) ++of.begin;
+    while (of.begin < of.end) {
+        const char last = text[of.end - 1];
+        const bool of_list = last == ']' && of.end - of.begin > 1 && text[of.end - 2] == '[';
+        if (of_list || (last != ' ' && last != '[' && last != ']')) break;
+        --of.end;
+    }
+    return of;
+}
+
 }  // namespace
 
 std::optional<OpenCall> open_call(std::string_view text, std::size_t cursor) {
@@ -99,8 +112,9 @@ ParameterRange parameter_of(std::string_view signature, std::size_t index) {
         if (c == ')' || c == '>' || c == '}') --depth;
         const bool ends = depth == 0 || (depth == 1 && c == ',');
         if (!ends || i == first) continue;
-        while (begin < i && signature[begin] == ' ') ++begin;
-        if (begin < i) all.push_back({begin, i});
+        if (const ParameterRange bare = without_brackets(signature, {begin, i});
+            bare.begin < bare.end)
+            all.push_back(bare);
         begin = i + 1;
         if (depth == 0) break;
     }

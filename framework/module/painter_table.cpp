@@ -75,6 +75,7 @@ void add_transforms(fettle_painter& table) {
                                  point(lower), point(upper), color(tint), smooth != 0);
     };
     table.pixels_per_unit = [](void* self) { return painter_of(self).pixels_per_unit(); };
+    table.label_scale = [](void* self) { return painter_of(self).label_scale(); };
 }
 
 }  // namespace

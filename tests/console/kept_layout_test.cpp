@@ -86,6 +86,34 @@ TEST_CASE("the game that begins again has the same instance selected") {
     CHECK_FALSE(next.lua->selected());
 }
 
+TEST_CASE("overlays that a person has switched on stay on when the game begins again") {
+    const auto with_overlays = [](Run& run) {
+        property::ClassDescriptor show{.name = "Show"};
+        for (const char* name : {"contacts", "joints", "names"})
+            show.properties.push_back(
+                {.name = name, .type = property::Type::boolean, .default_value = Value(false)});
+        property::Tree& tree = run.tree;
+        return tree.create(tree.define(std::move(show)),
+                           tree.create(tree.object_class(), tree.root(), "view"), "show");
+    };
+    Run first;
+    const auto show = with_overlays(first);
+    first.lua->open();
+    first.frame();
+    first.lua->state().run("view.show.contacts = true");
+    {
+        const property::Tree::CauseScope cause(first.tree, property::Writer::script);
+        first.tree.set(show, "joints", Value(true));
+    }
+    Run next;
+    const auto shown = with_overlays(next);
+    next.lua->continue_from(*first.lua->continuation());
+    next.frame();
+    CHECK(next.tree.get(shown, "contacts") == Value(true));
+    CHECK(next.tree.get(shown, "joints") == Value(false));
+    CHECK(next.tree.get(shown, "names") == Value(false));
+}
+
 TEST_CASE("keys and words for commands stay when the game begins again") {
     Run first;
     first.lua->open();

@@ -284,4 +284,13 @@ TEST_CASE("the labels of a plot of tiny values differ") {
     CHECK((low < -0.5 && high > 0.5));
 }
 
+TEST_CASE("a plot of how long frames take begins with the present ones") {
+    ObservingRig rig;
+    rig.step(100);
+    rig.run("plot time.timings.modules * 1000, world.ball.position.x");
+    REQUIRE(rig.plots().size() == 2);
+    CHECK(rig.plots()[0].samples().size() <= 1);
+    CHECK(rig.plots()[1].samples().front().step == 0);
+}
+
 }  // namespace plot_test

@@ -74,6 +74,10 @@ TEST_CASE("the parameters of a signature are found") {
     CHECK(parameter(text, 1) == "b?: fun(x: number, y: text)");
     CHECK(parameter(text, 2) == "...: any");
     CHECK(parameter(text, 7) == "...: any");
+    CHECK(parameter("apply_force(force [, point])", 0) == "force");
+    CHECK(parameter("apply_force(force [, point])", 1) == "point");
+    CHECK(parameter("raycast(from, to [, mask] [, group])", 2) == "mask");
+    CHECK(parameter("f(points: vec[] [, closed])", 0) == "points: vec[]");
     CHECK(parameter("f(a)", 1).empty());
     CHECK(parameter("f()", 0).empty());
     CHECK(parameter("number", 0).empty());

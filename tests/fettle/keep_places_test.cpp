@@ -297,17 +297,139 @@ TEST_CASE("keep_for_all writes an edit of one instance of a scene into its file"
         CHECK(output_of_next_run(game, "print(world.l:has(\"a\"), world.n.d)") ==
               "false\tworld.n.d\n");
     }
-    SECTION("a name, which the file has for all of them") {
-        const Outcome kept = run(
-            game, {"1:world.m.a.name=\"arm\"", "3:keep(\"**\")", "5:keep_for_all(\"world.m.**\")"});
+    SECTION("a name") {
+        const Outcome kept = run(game, {"1:world.m.a.name=\"arm\"", "5:keep_for_all(\"**\")"});
         INFO(kept.out);
-        CHECK(contains(kept.out, "kept 0 tweaks"));
-        CHECK(contains(kept.out,
-                       "world.m.a: l.json has this name for all its 3 instances: keep_for_all "
-                       "gives the new one to all of them"));
+        CHECK(contains(kept.out, "kept 1 tweak in l.json"));
         CHECK(output_of_next_run(game, "print(world.l.arm, world.n.arm)") ==
               "world.l.arm\tworld.n.arm\n");
     }
+    SECTION("another parent, which a file can only give one of them") {
+        const Outcome kept = run(game, {"1:world.m.a:move(world)", "5:keep_for_all(\"**\")"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "world.m.a: another parent cannot be kept for all"));
+        CHECK(game.text("l.json") == two);
+    }
+}
+
+TEST_CASE("a new name or parent of one of several instances of a scene is kept for it alone") {
+    const Game game("scene.load(\"l.json\", world, \"m\") scene.load(\"l.json\", world, \"n\")");
+    SECTION("a name, with a value of it and another instance in its old place") {
+        const Outcome kept = run(game, {"1:world.m.a.name=\"arm\" world.m.arm.angle = 1",
+                                        "2:world.m.a = Body {mass = 3}", "3:keep(\"**\")"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "kept 3 tweaks in main.tweaks.json"));
+        CHECK(contains(kept.out, "and 1 more: each for one of 3 instances of l.json only\n"));
+        CHECK(contains(kept.out, "world.m.a: for one of 3 instances of l.json only; keep_for_all"));
+        CHECK(game.text("l.json") == two);
+        CHECK(contains(game.text("main.tweaks.json"), "\"world.m.a\": \"world.m.arm\""));
+        CHECK(output_of_next_run(game,
+                                 "print(world.m.arm.angle, world.m.a.mass, world.m.j.body_a, "
+                                 "world.l.a.angle, world.n.a.angle)") ==
+              "1.0\t3.0\tworld.m.arm\t0.0\t0.0\n");
+    }
+    SECTION("names that two of its parts exchange") {
+        run(game,
+            {"1:world.m.a.angle = 1",
+             "2:world.m.a.name=\"x\" world.m.c.name=\"a\" world.m.x.name=\"c\"", "3:keep(\"**\")"});
+        CHECK(
+            output_of_next_run(game, "print(world.m.c.angle, world.m.a.angle, world.m.j.body_a)") ==
+            "1.0\t0.0\tworld.m.c\n");
+    }
+    SECTION("a parent that is new") {
+        run(game, {"1:world.g = Object {}", "2:world.m.a:move(world.g, \"arm\")",
+                   "3:world.g.arm.angle = 1", "4:keep(\"**\")"});
+        CHECK(game.text("l.json") == two);
+        CHECK(output_of_next_run(game, "print(world.g.arm.angle, world.m:has(\"a\"), world.l.a)") ==
+              "1.0\tfalse\tworld.l.a\n");
+    }
+    SECTION("a parent that is in no file") {
+        const Outcome kept = run(
+            game, {"1:world.g = Object {}", "2:world.m.a:move(world.g)", "3:keep(\"world.m.a\")"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "world.m.a: it depends on world.g, which is not kept"));
+    }
+    SECTION("and the name of the next run in place of the first") {
+        run(game, {"1:world.m.a.name=\"arm\"", "3:keep(\"**\")"});
+        run(game, {"1:world.m.arm.name=\"leg\" world.m.leg.angle = 1", "3:keep(\"**\")"});
+        CHECK(output_of_next_run(game, "print(world.m.leg.angle, world.m:has(\"arm\"))") ==
+              "1.0\tfalse\n");
+        CHECK_FALSE(contains(game.text("main.tweaks.json"), "arm"));
+    }
+    SECTION("and taken back by undo") {
+        run(game, {"1:world.m.a.name=\"arm\"", "3:keep(\"**\")", "4:undo()", "5:keep(\"**\")"});
+        CHECK(game.text("main.tweaks.json") == "{\n  \"fettle_tweaks\": 1\n}\n");
+        CHECK(output_of_next_run(game, "print(world.m.a)") == "world.m.a\n");
+    }
+    SECTION("of an earlier run") {
+        run(game, {"1:world.m.a.name=\"arm\""});
+        run(game, {"3:keep(\"**\")"});
+        CHECK(output_of_next_run(game, "print(world.m.arm, world.n.a)") ==
+              "world.m.arm\tworld.n.a\n");
+    }
+    SECTION("and deleted in the next run") {
+        run(game, {"1:world.m.a.name=\"arm\"", "3:keep(\"**\")"});
+        run(game, {"1:world.m.arm:delete()", "3:keep(\"**\")"});
+        CHECK(output_of_next_run(game, "print(#world.m:children(), #world.l:children())") ==
+              "2\t3\n");
+    }
+    SECTION("but no name that the script gives") {
+        const Outcome kept = run(game, {"1:world.m.name=\"o\"", "3:keep(\"**\")"});
+        INFO(kept.out);
+        CHECK(contains(kept.out, "a name or parent that a script gives cannot be kept"));
+    }
+}
+
+TEST_CASE("another parent of a part of a scene is kept beside the script") {
+    const Game game("world.s = Object {}");
+    run(game, {"1:world.l.a:move(world.s)", "3:keep(\"**\")"});
+    CHECK(game.text("l.json") == two);
+    run(game, {"2:world.s.a.angle = 1", "3:keep(\"**\")"});
+    CHECK(game.text("l.json") == two);
+    CHECK(output_of_next_run(game, "print(world.s.a.angle, world.l.j.body_a)") ==
+          "1.0\tworld.s.a\n");
+    SECTION("which its former parent may not take with it when that is deleted") {
+        run(game, {"1:world.l:delete()", "3:keep(\"**\")"});
+        CHECK(output_of_next_run(game, "print(world:has(\"l\"), world.s.a.angle)") ==
+              "false\t1.0\n");
+    }
+    SECTION("which is deleted with its new parent, and another one has its place") {
+        run(game, {"1:world.s:delete()", "2:world.l.a = Body {mass = 3}", "3:keep(\"**\")",
+                   "4:world.l.a.mass = 4", "5:keep(\"**\")"});
+        CHECK(game.text("l.json") == two);
+        CHECK(output_of_next_run(game, "print(world:has(\"s\"), world.l.a.mass)") ==
+              "false\t4.0\n");
+    }
+    SECTION("and the game is loaded again with it") {
+        const Outcome again =
+            run(game, {"1:world.s.a.angle = 2", "3:keep(\"**\")", "4:print(world.s.a.angle)"});
+        CHECK(contains(again.out, "kept 1 tweak in main.tweaks.json"));
+        CHECK(output_of_next_run(game, "print(world.s.a.angle)") == "2.0\n");
+    }
+}
+
+TEST_CASE("moves in the file of kept tweaks that are not possible are reported with their lines") {
+    const Game game;
+    const auto said = [&](const std::string& moved) {
+        game.write("main.tweaks.json", "{\"fettle_tweaks\": 1, \"moved\": {\n" + moved + "\n}}\n");
+        const Outcome outcome = run(game, {}, "print(#world.l:children(), world.l.a, world.l.c)");
+        INFO(moved << "\n" << outcome.out << outcome.err);
+        CHECK(contains(outcome.out, "3\tworld.l.a\tworld.l.c"));
+        return outcome.out + outcome.err;
+    };
+    CHECK(contains(said("\"world.l.b\": \"world.l.d\""),
+                   "main.tweaks.json:2:1: world.l.b: there is no world.l.b"));
+    CHECK(contains(said("\"world.l.a\": \"world.z.a\""), "world.l.a: there is no world.z"));
+    CHECK(contains(said("\"world.l.a\": \"world.l.c\""), "world.l.a: "));
+    CHECK(contains(said("\"world.l\": \"world.l.c.l\""), "world.l: "));
+    CHECK(contains(said("\"world.l.a\": 3"), "expected a path"));
+    CHECK(contains(said("\"world.l.a\": \"world.l.x\", \"world.l.c\": \"world.l.x\""),
+                   "main.tweaks.json:2:"));
+    CHECK(contains(said("\"world.l.a\": \"game\""), "is not a path of names"));
+    game.write("main.tweaks.json",
+               "{\"fettle_tweaks\": 1, \"moved\": {\"world.l.a\": \"world.l.c.a\", "
+               "\"world.l.c\": \"world.l.a.c\"}}\n");
+    CHECK(contains(run(game, {}).err, "main.tweaks.json:1:"));
 }
 
 TEST_CASE("a new name that was kept is listed with the old and the new name") {

@@ -180,9 +180,9 @@ TEST_CASE("a file that is not a module is refused with a description") {
     };
     says("nothing", "there is no such file");
     says("without_entry", "function fettle_module_open, found a shared object without it");
-    says("newer_major", "expected a module for version 1.7");
+    says("newer_major", "expected a module for version 1.8");
     says("newer_major", "found one for 2.3");
-    says("newer_minor", "found one for 1.8");
+    says("newer_minor", "found one for 1.9");
     says("bad_name", "found \"two words\"");
     says("missing_symbol", "it needs the symbol function_of_another_program");
     says("crash_when_opened", "crashed (Segmentation fault) while it was opened");

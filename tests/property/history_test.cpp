@@ -1,6 +1,7 @@
 #include "catch.h"
 #include "fixture.h"
 
+#include <fettle/property/earlier_writer.h>
 #include <fettle/property/edits.h>
 #include <fettle/property/snapshot.h>
 
@@ -8,7 +9,6 @@ namespace history_test {
 
 using namespace fettle::property;
 using namespace fettle::property::testing;
-
 namespace {
 struct Fixture {
     Tree tree;
@@ -352,8 +352,12 @@ TEST_CASE_METHOD(Fixture, "the last writer is known by kind and step and for edi
     tree.set_step(5);
     as(Writer::script, [&] { tree.set(ball, "mass", 4); });
     CHECK(tree.last_writer(ball, p).cause.text() == "script, step 5");
-    CHECK(tree.last_writer(ball, tree.property(ball, "velocity")).cause.writer ==
-          Writer::simulation);
+    const Property& v = tree.property(ball, "velocity");
+    CHECK(tree.last_writer(ball, v).cause.writer == Writer::simulation);
+    as(Writer::script, [&] { tree.set(ball, "velocity", Vec2(1, 2)); });
+    CHECK(last_writer_text(tree, ball, v) == "script, step 5");
+    tree.set_step(9);
+    CHECK(last_writer_text(tree, ball, v) == "script, step 5; later steps may have changed it");
     tree.destroy(ball);
     const Handle next = tree.create(*module.type, world, "ball");
     REQUIRE(next.index == ball.index);

@@ -29,8 +29,11 @@ const char* const level =
     "]}\n";
 
 struct Session : Run {
-    Session(const GameFolder& folder, unsigned seed) : Run(folder), random(seed) {
+    /// `twice`: another instance of the scene is at world.t.lvl.
+    Session(const GameFolder& folder, unsigned seed, bool twice = false)
+        : Run(folder), random(seed) {
         load(folder, "level.json");
+        if (twice) load(folder, "level.json", add("Object", "t"));
         const Handle n = add("Note", "n");
         add("Note", n, "k");
         add("Note", "s");
@@ -202,16 +205,14 @@ std::string text(const std::map<std::string, std::string>& state) {
     return out;
 }
 
-}  // namespace
-
-TEST_CASE("after random sessions of edits and keeps the next run begins with the last state") {
+void check_that_next_runs_begin_with_the_last_state(bool twice) {
     std::size_t compared = 0;
     for (const unsigned seed : seeds()) {
         const GameFolder folder;
         folder.write("level.json", level);
         std::string done;
         for (unsigned run = 0; run < 3; ++run) {
-            Session session(folder, seed * 3 + run);
+            Session session(folder, seed * 3 + run, twice);
             const auto began = text(session.state());
             for (std::size_t steps = 1 + session.below(12); steps > 0; --steps) session.step();
             const TweakReport report = session.tweaks->keep("**");
@@ -227,7 +228,7 @@ TEST_CASE("after random sessions of edits and keeps the next run begins with the
                          << (std::filesystem::exists(folder / "main.tweaks.json")
                                  ? folder.text("main.tweaks.json")
                                  : ""));
-            const Session next(folder, 0);
+            const Session next(folder, 0, twice);
             INFO((next.reported.empty() ? std::string() : next.reported.front()));
             if (!all_kept) break;
             ++compared;
@@ -236,6 +237,17 @@ TEST_CASE("after random sessions of edits and keeps the next run begins with the
         }
     }
     CHECK(compared > seeds().size() / 4);
+}
+
+}  // namespace
+
+TEST_CASE("after random sessions of edits and keeps the next run begins with the last state") {
+    check_that_next_runs_begin_with_the_last_state(false);
+}
+
+TEST_CASE(
+    "after random sessions with two instances of a scene the next run begins as the last ended") {
+    check_that_next_runs_begin_with_the_last_state(true);
 }
 
 TEST_CASE("making the tweaks of a random session again gives its last state") {

@@ -127,4 +127,22 @@ TEST_CASE("a kept deletion is unchanged when another instance of that name is re
     CHECK(folder.text("level.json") == level);
 }
 
+TEST_CASE("a part that the file of kept tweaks moves stays its own when a script is loaded again") {
+    const Level folder;
+    Run run(folder);
+    std::vector<SceneInstance> instances;
+    load_scene(run.tree, folder / "level.json", run.world, {}, nullptr, &instances);
+    run.tweaks->scene_loaded(folder / "level.json", instances);
+    run.person([&] { run.tree.move(run.at("world.level.d"), run.at("world.level.b"), "d"); });
+    CHECK(run.tweaks->keep("**").problems == std::vector<std::string>());
+    run.tweaks->scene_loaded(folder / "level.json", instances);  // for the living instances
+    run.person([&] { run.tree.set(run.at("world.level.b.d"), "number", 7); });
+    const TweakReport report = run.tweaks->keep("**");
+    CHECK(report.problems == std::vector<std::string>());
+    CHECK(report.notes == std::vector<std::string>());
+    CHECK(folder.text("level.json") == level);
+    CHECK(folder.text("main.tweaks.json").find("\"world.level.b.d.number\": 7") !=
+          std::string::npos);
+}
+
 }  // namespace kept_names_test

@@ -41,9 +41,11 @@ struct Run : SceneWorld {
                           (tweak.committed ? "" : " not yet"));
         return all;
     }
-    Handle load(const GameFolder& folder, const std::string& file) {
+    /// `parent`: null for the world.
+    Handle load(const GameFolder& folder, const std::string& file, Handle parent = {}) {
         std::vector<SceneInstance> instances;
-        const Handle top = load_scene(tree, folder / file, world, {}, nullptr, &instances);
+        const Handle top =
+            load_scene(tree, folder / file, parent ? parent : world, {}, nullptr, &instances);
         tweaks->scene_loaded(folder / file, instances);
         return top;
     }

@@ -126,6 +126,7 @@ class GuestPainter : public property::Painter {
         table_.clip(table_.self, lower.data(), upper.data());
     }
     double pixels_per_unit() const override { return table_.pixels_per_unit(table_.self); }
+    double label_scale() const override { return table_.label_scale(table_.self); }
     void picture(const property::Picture& picture, const property::PictureArea& area,
                  const property::Vec2& lower, const property::Vec2& upper, property::Color tint,
                  bool smooth) override;

@@ -163,6 +163,17 @@ Provenance Tree::last_writer(Handle instance, const Property& property) const {
     return {.known = true, .cause = {.writer = Writer::simulation, .where = {}, .step = step()}};
 }
 
+std::string last_writer_text(const Tree& tree, Handle instance, const Property& property) {
+    const Provenance written = tree.last_writer(instance, property);
+    if (!written.known) return {};
+    const Cause& cause = written.cause;
+    const bool by_code = cause.writer == Writer::script || cause.writer == Writer::module ||
+                         cause.writer == Writer::load;
+    const bool may_move = property.simulated && property.derives_from.empty();
+    if (!by_code || !may_move || cause.step + 1 >= tree.step()) return cause.text();
+    return cause.text() + "; later steps may have changed it";
+}
+
 Provenance last_writer_until(Tree& tree, Handle instance, const Property& property,
                              std::uint64_t step) {
     Tree::State& state = tree.state();

@@ -1,6 +1,7 @@
 // Functions for the history of edits and the causes of values:
 //   undo()  redo()  history()  edit(name, function)  who(path)  why(path)
 
+#include <fettle/property/earlier_writer.h>
 #include <fettle/property/edits.h>
 #include <fettle/property/path.h>
 
@@ -136,17 +137,9 @@ Place place_at(lua_State* L, const char* what) {
     return place;
 }
 
-/// Of writes of scripts, modules and loading it is not known which value they left, so it cannot be
-/// said whether a later step has changed what the simulation may change.
 std::string writer_text(const property::Tree& tree, const Place& place) {
-    const property::Provenance written = tree.last_writer(place.instance, *place.property);
-    if (!written.known) return "no recent write is known";
-    const bool by_code = written.cause.writer == property::Writer::script ||
-                         written.cause.writer == property::Writer::module ||
-                         written.cause.writer == property::Writer::load;
-    const bool may_move = place.property->simulated && place.property->derives_from.empty();
-    if (!by_code || !may_move || written.cause.step + 1 >= tree.step()) return written.cause.text();
-    return written.cause.text() + "; later steps may have changed it";
+    const std::string text = last_writer_text(tree, place.instance, *place.property);
+    return text.empty() ? "no recent write is known" : text;
 }
 
 /// The last writer of each property of the instance that has a known one.

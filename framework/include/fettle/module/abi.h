@@ -30,7 +30,7 @@ extern "C" {
 
 /* A module runs in programs of the same major number and of the same or a later minor one. */
 #define FETTLE_ABI_MAJOR 1
-#define FETTLE_ABI_MINOR 7
+#define FETTLE_ABI_MINOR 8
 #define FETTLE_ABI ((uint32_t)FETTLE_ABI_MAJOR << 16 | FETTLE_ABI_MINOR)
 
 typedef enum fettle_status {
@@ -273,6 +273,9 @@ typedef struct fettle_painter {
     void (*picture)(void* self, const fettle_picture* picture, const double* area,
                     const double* lower, const double* upper, const float* tint, uint32_t smooth);
     double (*pixels_per_unit)(void* self);
+    /* Since 1.8. Factor for the height of texts of overlays: those of the console are larger by it
+       than usual. */
+    double (*label_scale)(void* self);
 } fettle_painter;
 
 enum {                           /* fettle_class.flags */

@@ -32,13 +32,10 @@ class Keeping {
     void keep(const Rows& rows) {
         for (JournalRow* row : in_stages(rows)) {
             auto file = run_.state.own_file(row->file);
+            if (file && is_moved_by_path(*row)) file.reset();
             const std::size_t others = file ? others_of_scene(*row) : 0;
             if (others > 0 && for_all_) for_all_rows_.emplace_back(row, others);
             if (others > 0 && !for_all_) {
-                if (row->kind == Kind::moved) {
-                    refuse_name(*row, *file, others);
-                    continue;
-                }
                 for_one_rows_.push_back({row, file->filename().string(), others});
                 file.reset();
                 if (row->kind == Kind::created || row->kind == Kind::deleted) {
@@ -52,8 +49,9 @@ class Keeping {
                 row->inside.empty() && (row->kind == Kind::deleted || row->kind == Kind::restored);
             // The kept-tweaks file first deletes what a script makes there, then makes this
             // instance.
-            const bool in_place =
-                row->kind == Kind::created && run_.state.deleted_by_path(run_.row_paths.home(*row));
+            const bool in_place = row->kind == Kind::created &&
+                                  (run_.state.deleted_by_path(run_.row_paths.home(*row)) ||
+                                   run_.state.kept.moves_away(run_.row_paths.home(*row)));
             if (!file || whole || in_place)
                 kept_rows_.push_back(row);
             else if (is_consistent(*row, *file))
@@ -67,10 +65,18 @@ class Keeping {
         for (JournalRow* row : kept_rows_) stages[stage_of(*row, kept_rows_)].push_back(row);
         for (const Stage stage : {Stage::deleted, Stage::restored, Stage::deleted_below_restored})
             keep_by_path(run_, stages[stage]);
+        // A new parent that is kept below has to be in the file first.
+        Rows into_new;
+        std::erase_if(stages[Stage::moved], [&](JournalRow* row) {
+            if (unkept_parent(run_, *row).empty()) return false;
+            into_new.push_back(row);
+            return true;
+        });
         keep_moves_by_path(run_, stages[Stage::moved]);
         stages[Stage::created].insert(stages[Stage::created].end(), stages[Stage::value].begin(),
                                       stages[Stage::value].end());
         keep_by_path(run_, stages[Stage::created]);
+        keep_moves_by_path(run_, into_new);
         note_for_one();
         note_for_all();
     }
@@ -82,36 +88,42 @@ class Keeping {
     std::size_t others_of_scene(const JournalRow& row) const {
         if (row.kind == Kind::restored || (row.kind == Kind::deleted && row.inside.empty()))
             return 0;
-        const std::string top = run_.row_paths.home_of_top(row);
-        const Tree& tree = run_.state.tree;
-        return static_cast<std::size_t>(
-            std::ranges::count_if(run_.state.origins.tops(tree, row.file), [&](Handle other) {
-                return run_.state.attached(other) &&
-                       run_.row_paths.home_of_live(tree.path(other)) != top;
-            }));
+        return run_.state.others_of_scene(row.file, run_.row_paths.home_of_top(row));
     }
 
-    /// Scripts find instances by their names, so the file of kept tweaks gives none.
-    void refuse_name(const JournalRow& row, const fs::path& file, std::size_t others) {
-        run_.row_report.add_problem(
-            row, file.filename().string() + " has this name for all its " +
-                     std::to_string(others + 1) +
-                     " instances: keep_for_all gives the new one to all of them");
+    /// Whether a part of a scene gets another parent, or a name that the scene file still gives to
+    /// what has moved away: the scene file cannot contain that.
+    bool is_moved_by_path(const JournalRow& row) const {
+        if (row.kind != Kind::moved || row.inside.empty()) return false;
+        const std::string parent = run_.row_paths.home_of_new_parent(row);
+        return (parent != split_path(row.instance).first &&
+                (!for_all_ || others_of_scene(row) == 0)) ||
+               run_.state.kept.moves_away(path_below(parent, split_path(row.now).second));
     }
 
     static bool is_kept(const JournalRow& row) { return row.state == RowState::kept; }
 
+    /// Whether `keep_for_all` can write the change later: not for a part that the file of kept
+    /// tweaks moves, nor for what is below it.
+    static bool is_for_all_later(const JournalRow& row) {
+        return row.kind != Kind::moved && (row.kind != Kind::value || !row.file.empty());
+    }
+
     void note_for_one() {
-        std::map<std::string, std::vector<const ForOne*>> by_scene;
+        std::map<std::pair<std::string, bool>, std::vector<const ForOne*>> by_scene;
         for (const ForOne& each : for_one_rows_)
-            if (is_kept(*each.row)) by_scene[each.scene].push_back(&each);
-        for (const auto& [scene, rows] : by_scene)
+            if (is_kept(*each.row))
+                by_scene[{each.scene, is_for_all_later(*each.row)}].push_back(&each);
+        for (const auto& [key, rows] : by_scene) {
+            const auto& [scene, later] = key;
             run_.report.notes.push_back(
                 path_of(*rows.front()->row) +
                 (rows.size() == 1 ? std::string(": ")
                                   : " and " + std::to_string(rows.size() - 1) + " more: each ") +
                 "for one of " + std::to_string(rows.front()->others + 1) + " instances of " +
-                scene + " only; keep_for_all writes into " + scene + ", for all of them");
+                scene + " only" +
+                (later ? "; keep_for_all writes into " + scene + ", for all of them" : ""));
+        }
     }
 
     void note_for_all() {
@@ -203,6 +215,9 @@ class Keeping {
 }  // namespace
 
 TweakReport Tweaks::State::keep(std::string_view pattern, bool for_all) {
+    if (!not_kept_because.empty())
+        throw Error(ErrorKind::rejected,
+                    (for_all ? "keep_for_all: " : "keep: ") + not_kept_because);
     TweakReport report;
     barriers_to_retry = 0;
     barrier();  // includes the latest edits
@@ -222,26 +237,24 @@ TweakReport Tweaks::State::keep(std::string_view pattern, bool for_all) {
 }
 
 TweakReport Tweaks::keep(std::string_view pattern) {
-    State& state = usable();
-    if (!state.not_kept_because.empty())
-        throw Error(ErrorKind::rejected, "keep: " + state.not_kept_because);
-    return state.keep(pattern, false);
+    return usable().keep(pattern, false);
 }
 
 TweakReport Tweaks::keep_for_all(std::string_view pattern) {
-    State& state = usable();
-    if (!state.not_kept_because.empty())
-        throw Error(ErrorKind::rejected, "keep_for_all: " + state.not_kept_because);
-    return state.keep(pattern, true);
+    return usable().keep(pattern, true);
+}
+
+std::size_t Tweaks::State::others_of_scene(const fs::path& file,
+                                           const std::string& home_of_top) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        origins.tops(tree, file),
+        [&](Handle top) { return attached(top) && home_of(top) != home_of_top; }));
 }
 
 std::size_t Tweaks::others_of_scene(Handle instance) const {
     const State& state = usable();
     const auto origin = state.origins.find(instance);
-    if (!origin) return 0;
-    return static_cast<std::size_t>(std::ranges::count_if(
-        state.origins.tops(state.tree, origin->file),
-        [&](Handle top) { return top != origin->top && state.attached(top); }));
+    return origin ? state.others_of_scene(origin->file, state.home_of(origin->top)) : 0;
 }
 
 }  // namespace fettle::property

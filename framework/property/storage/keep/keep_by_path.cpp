@@ -36,6 +36,20 @@ std::string unmarked_scene(const KeepRun& run, const JournalRow& row) {
                                     [&](const std::string& home) { return unmarked(run, home); });
 }
 
+/// Throws if a script gives the name or the parent, or if the new parent is in no file.
+void require_movable(const KeepRun& run, const JournalRow& row) {
+    const KeptTweaks& kept = run.state.kept;
+    const bool by_scene =
+        !row.file.empty() &&
+        (!row.inside.empty() ||
+         (run.row_paths.home_of_new_parent(row) == split_path(row.instance).first &&
+          !run.state.origins.named_by_script(run.row_paths.instance(row.instance))));
+    if (!by_scene && !kept.makes(row.instance) && !kept.moves_to(row.instance))
+        throw Error(ErrorKind::rejected, given_by_script);
+    if (const std::string parent = unkept_parent(run, row); !parent.empty())
+        throw Error(ErrorKind::rejected, "it depends on " + parent + ", which is not kept");
+}
+
 const Property* declared(const KeepRun& run, const std::string& home, const std::string& property) {
     const Handle instance = run.row_paths.instance(home);
     return instance ? run.state.tree.class_of(instance).property(property) : nullptr;
@@ -108,7 +122,8 @@ void keep_by_path(KeepRun& run, const Rows& rows) {
             [&](const JournalRow& row) { apply_to_kept(run, row); });
         done.insert(done.end(), into.begin(), into.end());
         if (!run.write(run.state.kept.file(), done, [&] { run.state.kept.write(); })) return;
-        run.mark_described(done);
+        run.mark_restored(done);
+        KeepRun::mark_made_by_path(done);
         run.update_other_scenes(done);
     } catch (const SceneError& error) {
         run.state.kept.reload();
@@ -121,14 +136,26 @@ void keep_by_path(KeepRun& run, const Rows& rows) {
     }
 }
 
+std::string unkept_parent(const KeepRun& run, const JournalRow& row) {
+    const std::string parent = run.row_paths.home_of_new_parent(row);
+    const auto is_open = [&](const JournalRow& made) {
+        return made.kind == Kind::created && made.state == JournalRow::State::open &&
+               is_at_or_below(parent, run.row_paths.home(made));
+    };
+    for (const JournalRow& made : run.state.earlier.rows)
+        if (is_open(made)) return made.instance;
+    for (const auto& [handle, made] : run.state.created)
+        if (!made->gone && is_open(made->row)) return made->row.instance;
+    return {};
+}
+
 void keep_moves_by_path(KeepRun& run, Rows rows) {
     const auto target = [&](const JournalRow& row) {
         return path_below(run.row_paths.home_of_new_parent(row), split_path(row.now).second);
     };
     std::erase_if(rows, [&](const JournalRow* row) {
         return !run.row_report.tried(*row, [&] {
-            if (!run.state.kept.makes(row->instance))
-                throw Error(ErrorKind::rejected, given_by_script);
+            require_movable(run, *row);
             run.state.kept.require_movable(row->instance, target(*row));
         });
     });
@@ -136,8 +163,11 @@ void keep_moves_by_path(KeepRun& run, Rows rows) {
     for (const JournalRow* row : rows) moving_away.insert(row->instance);
     std::erase_if(rows, [&](const JournalRow* row) {
         const std::string to = target(*row);
-        return !moving_away.contains(to) &&
-               !run.row_report.tried(*row, [&] { require_free(run, to); });
+        return !run.row_report.tried(*row, [&] {
+            if (!moving_away.contains(to)) require_free(run, to);
+            if (!run.state.kept.makes(row->instance) && run.state.deleted_by_path(to))
+                throw Error(ErrorKind::rejected, name_of_deleted);
+        });
     });
     const auto steps = [&](const Rows& some) {
         std::vector<MoveStep> moves;
@@ -149,12 +179,22 @@ void keep_moves_by_path(KeepRun& run, Rows rows) {
         possible_together(run, rows, [&](const Rows& some) { (void)combined_moves(steps(some)); });
     if (rows.empty()) return;
     const std::vector<MoveStep> moves = steps(rows);
+    std::vector<MoveStep> made;  // of instances that the file makes: a scene file may name them
+    Rows parts;                  // of scenes
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (run.state.kept.makes(rows[i]->instance))
+            made.push_back(moves[i]);
+        else
+            parts.push_back(rows[i]);
     try {
-        if (run.write(run.state.kept.file(), rows, [&] {
+        if (!run.write(run.state.kept.file(), rows, [&] {
                 run.state.kept.move(moves);
                 run.state.kept.write();
             }))
-            run.change_homes(moves, run.state.kept.file());
+            return;
+        for (const JournalRow* row : parts)
+            run.state.part_moved(*row, run.row_paths.instance(row->instance));
+        run.moved_by_path(moves, made);
     } catch (const SceneError& error) {
         run.state.kept.reload();
         run.report.problems.emplace_back(error.what());

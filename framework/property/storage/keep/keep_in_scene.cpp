@@ -47,6 +47,7 @@ void keep_in_scene(KeepRun& run, const std::filesystem::path& file, const Rows& 
         const Rows done = scene.keep(rows);
         if (!run.write(file, done, [&] { run.state.files.write(file, scene.text()); })) return;
         forget_kept_by_path(run, without_moves(done));
+        run.mark_restored(done);
         run.mark_described(done);
         run.update_other_scenes(done);
         change_names(run, file, moves_in(done));

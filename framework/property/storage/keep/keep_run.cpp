@@ -31,20 +31,32 @@ void KeepRun::mark_kept(const std::filesystem::path& file, const Rows& kept) {
     }
 }
 
+void KeepRun::mark_restored(const Rows& rows) {
+    for (const JournalRow* row : rows) {
+        if (row->kind != Kind::restored || row->run != 0) continue;
+        Tweaks::State::Entry& its = state.entry_of(*row);
+        Tweaks::State::Entry& deletion = *state.deleted.at(its.handle.key());
+        deletion.gone = true;
+        deletion.kept_version = 0;  // the file has it again
+        state.touch(deletion);
+    }
+}
+
 void KeepRun::mark_described(const Rows& rows) {
     for (const JournalRow* row : rows) {
-        if (row->kind == Kind::restored && row->run == 0) {
-            Tweaks::State::Entry& its = state.entry_of(*row);
-            Tweaks::State::Entry& deletion = *state.deleted.at(its.handle.key());
-            deletion.gone = true;
-            deletion.kept_version = 0;  // the file has it again
-            state.touch(deletion);
-        }
         if (row->kind != Kind::created || row->run != 0) continue;
         const Handle made = state.entry_of(*row).handle;
         if (!state.tree.alive(made)) continue;
         const Document document(row->now, "its scene");
         describe(document, document.root(), state.tree.parent(made), made);
+    }
+}
+
+void KeepRun::mark_made_by_path(const Rows& rows) {
+    for (JournalRow* row : rows) {
+        if (row->kind != Kind::created) continue;
+        row->file.clear();
+        row->inside.clear();
     }
 }
 
@@ -72,9 +84,24 @@ void KeepRun::update_other_scenes(const Rows& rows) {
 InstanceMoves KeepRun::change_homes(const std::vector<MoveStep>& moves,
                                     const std::filesystem::path& file) {
     const InstanceMoves all = combined_moves(moves);
+    rename_in_scenes(all, file);
+    change_paths_in_rows(all);
+    return all;
+}
+
+void KeepRun::moved_by_path(const std::vector<MoveStep>& moves,
+                            const std::vector<MoveStep>& named_by_scenes) {
+    rename_in_scenes(combined_moves(named_by_scenes), state.kept.file());
+    change_paths_in_rows(combined_moves(moves));
+}
+
+void KeepRun::rename_in_scenes(const InstanceMoves& moves, const std::filesystem::path& except) {
     OtherScenes others(state, report);
-    others.rename(all, file);
+    others.rename(moves, except);
     others.write();
+}
+
+void KeepRun::change_paths_in_rows(const InstanceMoves& all) {
     std::vector<std::pair<JournalRow*, std::string>> homes;
     for (JournalRow& row : state.earlier.rows)
         if (row.state == RowState::open) homes.emplace_back(&row, all.now(row_paths.home(row)));
@@ -87,7 +114,6 @@ InstanceMoves KeepRun::change_homes(const std::vector<MoveStep>& moves,
         if (std::exchange(row->instance, path) != path || row->kind == Kind::moved)
             state.renamed_earlier(*row);
     }
-    return all;
 }
 
 void KeepRun::take_out(const Rows& rows, std::vector<std::string> (KeptTweaks::*take)(

@@ -37,13 +37,20 @@ struct KeepRun {
         return true;
     }
 
-    /// Marks new instances, and those made with them, as described by the file.
+    void mark_restored(const Rows& rows);
+    /// Marks new instances, and those made with them, as described by a scene file, or as in none:
+    /// then what is edited of them is kept by path, too.
     void mark_described(const Rows& rows);
+    static void mark_made_by_path(const Rows& rows);
     /// Changes the references in other scene files to instances that were deleted or restored.
     void update_other_scenes(const Rows& rows);
     /// Renames the instances in all other files and rows after `file` got new names.
     InstanceMoves change_homes(const std::vector<MoveStep>& moves,
                                const std::filesystem::path& file);
+    /// Does the same after the file of kept tweaks got new names or parents of instances. Scene
+    /// files name the parts of scenes as before; `named_by_scenes` are the other moves.
+    void moved_by_path(const std::vector<MoveStep>& moves,
+                       const std::vector<MoveStep>& named_by_scenes);
     /// Removes deleted instances from the file of kept tweaks.
     void take_out(const Rows& rows, std::vector<std::string> (KeptTweaks::*take)(
                                         const std::vector<std::string>& paths));
@@ -54,6 +61,8 @@ struct KeepRun {
     RowPaths row_paths;
 
   private:
+    void rename_in_scenes(const InstanceMoves& moves, const std::filesystem::path& except);
+    void change_paths_in_rows(const InstanceMoves& moves);
     void mark_kept(const std::filesystem::path& file, const Rows& rows);
     void describe(const Document& document, const Document::Node& node, Handle parent,
                   Handle instance);

@@ -17,10 +17,17 @@ void check_made(const Tweaks::State& state, const RowPaths& paths, const Journal
                 paths.instance(split_path(paths.home(row)).first), split_path(row.instance).second);
 }
 
+namespace {
+
+std::string what_goes_with_it(const std::string& path) {
+    return "what is " + path + " now is a part of it in the file, and would go with it";
+}
+
+}  // namespace
+
 void require_nothing_moved_out(const RowPaths& paths, const JournalRow& row) {
     if (const std::string path = paths.moved_out_of(row); !path.empty())
-        throw Error(ErrorKind::rejected,
-                    "what is " + path + " now is a part of it in the file, and would go with it");
+        throw Error(ErrorKind::rejected, what_goes_with_it(path));
 }
 
 void store_removed_text(Tweaks::State& state, const JournalRow& row, const std::string& text) {
@@ -136,6 +143,8 @@ void SceneKeeping::edit_scene(const JournalRow& row, const Rows& moves) {
             return edit_.add_child(steps, paths_.home_scene(row, in_file));
         case Kind::deleted:
             require_nothing_moved_out(paths_, row);
+            if (const std::string path = state_.kept.moved_out_of(row.instance); !path.empty())
+                throw Error(ErrorKind::rejected, what_goes_with_it(path));
             return store_removed_text(state_, row, edit_.remove(steps, row.instance));
         case Kind::restored:
             edit_.put_back(steps, row.was);
@@ -166,13 +175,13 @@ void SceneKeeping::rename(const Rows& rows, bool check) {
         const JournalRow& row = *rows[i];
         const std::string parent = split_path(row.instance).first;
         if (paths_.home_of_new_parent(row) != parent)
-            throw Error(ErrorKind::rejected, "another parent cannot be kept: move it in the file");
+            throw Error(ErrorKind::rejected,
+                        "another parent cannot be kept for all: move it in the file");
         if (row.inside.empty()) require_named_by_file(row);
         moves.push_back({i, row.instance, path_below(parent, split_path(row.now).second)});
         require_name_free(moves.back().to, rows);
         if (state_.deleted_by_path(moves.back().to))
-            throw Error(ErrorKind::rejected,
-                        "a script gives the name to what was deleted: choose another one");
+            throw Error(ErrorKind::rejected, name_of_deleted);
     }
     for (const MoveStep& step : in_order(moves)) {
         const JournalRow& row = *rows[step.which];

@@ -16,6 +16,9 @@ namespace fettle::property {
 inline constexpr const char* given_by_script =
     "a name or parent that a script gives cannot be kept: change the script";
 
+inline constexpr const char* name_of_deleted =
+    "a script gives the name to what was deleted: choose another one";
+
 /// Throws Error if the scene of a new instance could not be loaded in its place.
 void check_made(const Tweaks::State& state, const RowPaths& paths, const JournalRow& row);
 /// Throws Error if an instance was moved out of the deleted one: its move is in no file, so it

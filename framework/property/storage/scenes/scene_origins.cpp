@@ -109,6 +109,17 @@ void SceneOrigins::forget(const Tree& tree, Handle top) {
     if (!places_.empty()) tree.each_below(top, [&](Handle handle) { places_.erase(handle.key()); });
 }
 
+void SceneOrigins::forget_part(const Tree& tree, Handle part) {
+    const auto found = places_.find(part.key());
+    if (found == places_.end() || found->second.instance == 0 || !tree.alive(part)) return;
+    const std::size_t scene = found->second.scene;
+    tree.each_below(part, [&](Handle handle) {
+        if (const auto its = places_.find(handle.key());
+            its != places_.end() && its->second.scene == scene && its->second.instance != 0)
+            places_.erase(its);
+    });
+}
+
 std::set<std::filesystem::path> SceneOrigins::files() const {
     std::set<std::filesystem::path> all;
     for (const auto& [number, scene] : scenes_) all.insert(scene.file);

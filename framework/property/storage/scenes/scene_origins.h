@@ -51,6 +51,9 @@ class SceneOrigins {
     void added(const Tree& tree, Handle parent, Handle child);
     /// Forgets the instance and everything below it, because no file describes them any more.
     void forget(const Tree& tree, Handle top);
+    /// The same for a part of a scene, and for the parts of that scene below it. Nothing for the
+    /// topmost instance.
+    void forget_part(const Tree& tree, Handle part);
     std::set<std::filesystem::path> files() const;
     /// The topmost instances that exist and come from that file.
     std::vector<Handle> tops(const Tree& tree, const std::filesystem::path& file) const;

@@ -478,13 +478,20 @@ TweakReport Tweaks::drop(std::string_view pattern) {
 }
 void Tweaks::scene_loaded(const std::filesystem::path& file,
                           const std::vector<SceneInstance>& instances, bool named_by_script) {
-    usable().origins.loaded(state_->tree, file, instances, named_by_script);
+    State& state = usable();
+    state.origins.loaded(state.tree, file, instances, named_by_script);
+    // When a script is loaded again, the parts are those that have their new places already.
+    for (const SceneInstance& each : instances)
+        if (state.kept.moves_any() && state.tree.alive(each.instance) &&
+            state.kept.moves_to(state.home_of(each.instance)))
+            state.origins.forget_part(state.tree, each.instance);
 }
 void Tweaks::placed(Handle instance) {
     usable().kept.apply_values(instance);
 }
 void Tweaks::game_loaded() {
-    usable().kept.apply_all();
+    State& state = usable();
+    for (const Handle moved : state.kept.apply_all()) state.origins.forget_part(state.tree, moved);
 }
 std::filesystem::path Tweaks::journal() const {
     return state_->journal ? state_->journal->file() : std::filesystem::path();

@@ -183,6 +183,34 @@ void Tweaks::State::steps_renamed(const std::filesystem::path& file,
     }
 }
 
+void Tweaks::State::part_moved(const JournalRow& move, Handle part) {
+    if (move.file.empty() || move.inside.empty()) return;
+    const auto forget = [](JournalRow& row) {
+        row.file.clear();
+        row.inside.clear();
+    };
+    // Rows of earlier runs are found by their places.
+    const std::string file = move.file;
+    const SceneSteps steps = read_steps(move.inside);
+    const std::string top = steps_text(steps);
+    for (JournalRow& row : earlier.rows) {
+        if (row.file != file || row.state != RowState::open) continue;
+        SceneSteps its = read_steps(row.inside);
+        its.resize(std::min(its.size(), steps.size()));
+        if (steps_text(its) != top || !is_at_or_below(row.instance, move.instance)) continue;
+        forget(row);
+        renamed_earlier(row);
+    }
+    rename_in_entries([this, forget, part](Entry& its) {
+        const bool about = tree.alive(its.handle) && tree.alive(part) &&
+                           (its.handle == part || tree.is_below(its.handle, part));
+        if (!about || its.row.file.empty() || its.row.kind == Kind::deleted) return;
+        forget(its.row);
+        if (its.row.state == RowState::open && !its.gone) add_to_dirty(its);
+    });
+    origins.forget_part(tree, part);
+}
+
 void Tweaks::State::set_former_value(const JournalRow& row) {
     const auto found = by_key.find(key_of(Kind::value, row.instance, row.property));
     if (found == by_key.end()) return;

@@ -162,6 +162,9 @@ struct Tweaks::State : EditObserver {
     /// Called after files got other names of instances.
     void homes_changed(const NewPath& now_at);
     void steps_renamed(const std::filesystem::path& file, const SceneOrigins::Names& names);
+    /// The file of kept tweaks moves that part of a scene: what is edited of it and below it is
+    /// kept there, too.
+    void part_moved(const JournalRow& move, Handle part);
     /// A row of an earlier run was kept: the tweak of this run about the same value starts from it.
     void set_former_value(const JournalRow& row);
     void note_origin(Entry& entry, Handle instance) const;
@@ -209,6 +212,10 @@ struct Tweaks::State : EditObserver {
     /// Adds values that were kept for one of several instances of a scene file.
     void add_kept_for_one(std::vector<JournalRow*>& rows, std::string_view pattern);
     TweakReport keep(std::string_view pattern, bool for_all);
+    /// The number of instances in the tree that come from that scene file, but for the one with
+    /// that home path.
+    std::size_t others_of_scene(const std::filesystem::path& file,
+                                const std::string& home_of_top) const;
     TweakReport reapply(std::string_view pattern);
     TweakReport drop(std::string_view pattern);
     void set_state(JournalRow& row, RowState state);

@@ -26,6 +26,8 @@ class InstanceMoves {
     std::string moved_out_of(const std::string& home) const;
     /// The current path of the instance with that home path; "" if it was not moved.
     std::string moved_from(const std::string& home) const;
+    /// Whether the current path of a moved instance is `now`.
+    bool moves_to(const std::string& now) const { return homes_.contains(now); }
     /// The current path of the instance with that home path.
     std::string now(const std::string& home) const;
 

@@ -13,14 +13,50 @@ namespace fettle::property {
 
 void KeptTweaks::require_movable(const std::string& from, const std::string& to) const {
     const std::string made = made_above(from);
-    if (made != from && split_path(from).first != split_path(to).first)
+    if (!made.empty() && made != from && split_path(from).first != split_path(to).first)
         throw Error(ErrorKind::rejected,
                     "it is a part of " + made + ", and another parent of a part cannot be kept");
+}
+
+bool KeptTweaks::moves_to(const std::string& path) const {
+    return contents_.moves.moves_to(path);
+}
+
+bool KeptTweaks::moves_away(const std::string& path) const {
+    return !contents_.moves.moved_from(path).empty();
+}
+
+std::string KeptTweaks::moved_out_of(const std::string& path) const {
+    const std::string home = contents_.moves.home(path);
+    for (const Moved& each : contents_.moved)
+        if (each.home != home && is_at_or_below(each.home, home) && !is_at_or_below(each.now, path))
+            return each.now;
+    return {};
+}
+
+/// Writes that an instance moves from the path that a scene file gives.
+void KeptTweaks::put_moved(const std::string& home, const std::string& now) {
+    for (const Moved& each : contents_.moved)
+        if (each.home == home) drop("moved", each.key);
+    if (home == now) return;
+    std::string quoted;
+    append_quoted(quoted, now);
+    put("moved", home, quoted);
 }
 
 void KeptTweaks::move(const std::vector<MoveStep>& moves) {
     fold();
     const InstanceMoves all = combined_moves(moves);
+    for (const MoveStep& move : moves) {
+        if (makes(move.from) || moves_to(move.from)) continue;
+        const std::string home = contents_.moves.home(move.from);
+        if (is_marked(home))
+            throw Error(ErrorKind::rejected,
+                        move.from + " is in the place of what the file moves to " +
+                            contents_.moves.moved_from(move.from) + ": choose another name");
+        put_moved(home, all.now(move.from));
+    }
+    for (const Moved& each : contents_.moved) put_moved(each.home, all.now(each.now));
     std::map<std::string, std::vector<MoveStep>> parts;  // by the instance that they are a part of
     for (const MoveStep& move : moves)
         if (const std::string made = made_above(move.from); made != move.from)
@@ -42,6 +78,7 @@ void KeptTweaks::move(const std::vector<MoveStep>& moves) {
     for (const auto& [key, scene] : moved) put("created", key, scene);
     const NewPath now_at = [&](const std::string& path) { return all.now(path); };
     rename_values(now_at);
+    rename_deleted(now_at);
     fold();
     rename_in_references(now_at);
 }
@@ -55,11 +92,14 @@ SceneSteps KeptTweaks::steps_between(const std::string& top, const std::string& 
 }
 
 /// The path of the nearest instance, at `path` or above it, that the file makes; "" if it makes
-/// none.
+/// none, or if the file moves what is at `path` or nearer above it.
 std::string KeptTweaks::made_above(const std::string& path) const {
     const std::vector<Segment> names = parse_path(path);
     for (std::size_t count = names.size(); count > 0; --count)
-        if (std::string made = joined_path(names, count); created_.contains(made)) return made;
+        if (std::string made = joined_path(names, count); created_.contains(made))
+            return made;
+        else if (moves_to(made))
+            break;
     return {};
 }
 
@@ -75,15 +115,22 @@ void KeptTweaks::rename(const NewPath& now_at) {
             drop("created", key);
             put("created", *now, text_of("created", key));
         }
+    for (const Moved& each : contents_.moved) drop("moved", each.key);
+    for (const Moved& each : contents_.moved)
+        put_moved(now_at(each.home).value_or(each.home), now_at(each.now).value_or(each.now));
+    rename_deleted(now_at);
+    fold();
+    rename_in_references(now_at);
+}
+
+void KeptTweaks::rename_deleted(const NewPath& now_at) {
     for (const std::string& path : contents_.deleted) {
         const auto [parent, name] = split_path(path);
-        if (const auto above = now_at(parent)) {
+        if (const auto above = now_at(parent); above && *above != parent) {
             drop("deleted", path);
             put_deleted(path_below(*above, name));
         }
     }
-    fold();
-    rename_in_references(now_at);
 }
 
 void KeptTweaks::rename_values(const NewPath& now_at) {

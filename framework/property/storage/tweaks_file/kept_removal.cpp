@@ -75,6 +75,7 @@ std::vector<std::string> KeptTweaks::forget_beside(const std::vector<std::string
     for (const std::string& path : contents_.deleted)
         for (const std::size_t each : set.above(path))
             if (paths[each] != path) drop("deleted", path);
+    delete_moved_into(set, paths);
     fold();
     rename_in_references([&](const std::string& named) -> std::optional<std::string> {
         if (!set.above(named).empty()) return std::string();
@@ -83,11 +84,35 @@ std::vector<std::string> KeptTweaks::forget_beside(const std::vector<std::string
     return before;
 }
 
+/// What the file moves below one of the paths is deleted with it: without a move, in its own place.
+void KeptTweaks::delete_moved_into(const PathSet& set, const std::vector<std::string>& paths) {
+    InstanceMoves others;
+    std::vector<std::pair<const Moved*, std::string>> below;  // with the path of what is deleted
+    for (const Moved& each : contents_.moved) {
+        const std::vector<std::size_t> above = set.above(each.now);
+        if (above.empty() || paths[above.front()] == each.now)
+            others.add(each.home, each.now);
+        else
+            below.emplace_back(&each, paths[above.front()]);
+    }
+    for (const auto& [each, path] : below) {
+        drop("moved", each->key);
+        const std::string at = others.now(each->home);
+        const bool with_it =
+            (!makes(path) && is_at_or_below(each->home, contents_.moves.home(path)));
+        if (!with_it && std::ranges::none_of(contents_.deleted, [&](const std::string& deleted) {
+                return is_at_or_below(at, deleted);
+            }))
+            put_deleted(at);
+    }
+}
+
 /// For each path, the entries of the file about the instance, about instances below it, and with
 /// references to these.
 std::vector<std::string> KeptTweaks::about(const PathSet& set,
                                            const std::vector<std::string>& paths) const {
-    std::vector<std::array<std::string, 3>> lists(paths.size());  // values, created, deleted
+    // values, created, deleted, moved
+    std::vector<std::array<std::string, 4>> lists(paths.size());
     const auto append = [&](std::string& list, const std::string& section, const std::string& key) {
         list += list.empty() ? "" : ", ";
         append_quoted(list, key);
@@ -119,10 +144,14 @@ std::vector<std::string> KeptTweaks::about(const PathSet& set,
             list += list.empty() ? "" : ", ";
             append_quoted(list, path);
         }
+    for (const Moved& each : contents_.moved)
+        for (const std::size_t above : set.above(each.now))
+            if (paths[above] != each.now) append(lists[above][3], "moved", each.key);
     std::vector<std::string> texts;
-    for (const auto& [values, created, deleted] : lists)
+    for (const auto& [values, created, deleted, moved] : lists)
         texts.push_back("{\"values\": {" + values + "}, \"created\": {" + created +
-                        "}, \"deleted\": [" + deleted + "]}");
+                        "}, \"deleted\": [" + deleted + "]" +
+                        (moved.empty() ? "" : ", \"moved\": {" + moved + "}") + "}");
     return texts;
 }
 
@@ -134,6 +163,11 @@ void KeptTweaks::put_back(const std::string& path, const std::string& taken_out,
     if (const Node* all = document.member(document.root(), "deleted"))
         for (const Node* node = document.first(*all); node; node = document.next(*node))
             put("deleted", document.text(*node), std::string(document.raw(*node)));
+    if (const Node* all = document.member(document.root(), "moved"))
+        for (const Node* node = document.first(*all); node; node = document.next(*node)) {
+            drop("deleted", contents_.moves.now(document.key(*node)));
+            put("moved", document.key(*node), std::string(document.raw(*node)));
+        }
     for (const char* section : {"values", "created"})
         if (const Node* all = document.member(document.root(), section))
             for (const Node* node = document.first(*all); node; node = document.next(*node)) {

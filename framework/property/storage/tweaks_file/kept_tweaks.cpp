@@ -79,8 +79,8 @@ void KeptTweaks::read() {
         document_->fail(ErrorKind::bad_structure, version->begin,
                         "was written by a newer Fettle (version " +
                             std::to_string(version->integer) + " of the format)");
-    static const std::vector<std::string> known = {std::string(version_of_tweaks), "values",
-                                                   "given", "created", "deleted"};
+    static const std::vector<std::string> known = {
+        std::string(version_of_tweaks), "values", "given", "created", "moved", "deleted"};
     for (const Node* node = document_->first(root); node; node = document_->next(*node))
         if (const std::string& key = document_->key(*node);
             std::find(known.begin(), known.end(), key) == known.end())
@@ -126,13 +126,27 @@ KeptTweaks::Contents KeptTweaks::contents_of(const Document& document) {
             (void)names(key, node->key_begin);
             contents.created.push_back(key);
         }
-    if (const Node* deleted = section("deleted", Document::Kind::array))
-        for (const Node* node = document.first(*deleted); node; node = document.next(*node)) {
-            if (node->kind != Document::Kind::text)
-                document.fail(ErrorKind::bad_structure, node->begin, "expected a path");
-            const std::vector<Segment> path = names(document.text(*node), node->begin);
-            contents.deleted.push_back(joined_path(path, path.size()));
+    const auto path_in = [&](const Node& node) {
+        if (node.kind != Document::Kind::text)
+            document.fail(ErrorKind::bad_structure, node.begin, "expected a path");
+        const std::vector<Segment> path = names(document.text(node), node.begin);
+        return joined_path(path, path.size());
+    };
+    if (const Node* moved = section("moved", Document::Kind::object))
+        for (const Node* node = document.first(*moved); node; node = document.next(*node)) {
+            const std::string& key = document.key(*node);
+            const std::vector<Segment> path = names(key, node->key_begin);
+            const std::string home = joined_path(path, path.size()), now = path_in(*node);
+            if (home == now) continue;
+            if (!contents.moves.moved_from(home).empty() || contents.moves.moves_to(now))
+                document.fail(ErrorKind::bad_structure, node->begin,
+                              "another line moves " + home + ", or something to " + now);
+            contents.moved.push_back({key, home, now});
+            contents.moves.add(home, now);
         }
+    if (const Node* deleted = section("deleted", Document::Kind::array))
+        for (const Node* node = document.first(*deleted); node; node = document.next(*node))
+            contents.deleted.push_back(path_in(*node));
     return contents;
 }
 
@@ -271,7 +285,7 @@ void KeptTweaks::fold() {
     if (changes_.empty()) return;
     std::vector<Changes> changes = std::exchange(changes_, {});
     // The order of sections in the file must not depend on the order of changes.
-    static constexpr std::array<std::string_view, 4> sections{"values", "given", "created",
+    static constexpr std::array<std::string_view, 5> sections{"values", "given", "created", "moved",
                                                               "deleted"};
     const auto place = [](const Changes& each) {
         return std::find(sections.begin(), sections.end(), each.section);

@@ -1,15 +1,19 @@
 #pragma once
-// Kept tweaks of instances that scripts make: `main.tweaks.json` beside the game, by path.
+// Kept tweaks of instances that scripts make, and of single instances of scene files that are
+// loaded several times: `main.tweaks.json` beside the game, by path.
 //
 //   {
 //     "fettle_tweaks": 1,
 //     "values": {"world.ball.mass": 5},
 //     "given": {"world.ball.mass": 2},
 //     "created": {"world.lamp": {a scene}},
+//     "moved": {"world.car.wheel": "world.car.spare"},
 //     "deleted": ["world.wall"]
 //   }
 //
-// "given" has the values that scripts gave when others were kept in their places.
+// "given" has the values that scripts gave when others were kept in their places. "moved" has the
+// new paths of parts of scenes, by the paths that the scene files give them. All other paths are
+// those after these moves.
 
 #include <filesystem>
 #include <functional>
@@ -56,8 +60,8 @@ class KeptTweaks {
 
     /// Applies the values of the instance and of everything below it.
     void apply_values(Handle top);
-    /// Applies everything: values, creations and deletions.
-    void apply_all();
+    /// Applies everything: values, creations, moves and deletions. Returns what was moved.
+    std::vector<Handle> apply_all();
     /// Sets the values whose references were missing, and reports those that are still missing.
     void retry_waiting();
 
@@ -80,9 +84,16 @@ class KeptTweaks {
     std::string place_of(const std::string& instance, const std::string& property) const;
     bool makes(const std::string& path) const;
     bool deletes(const std::string& path) const;
-    /// Whether and how instances that the file makes get other paths. `require_movable` throws
-    /// Error if the instance is a part of another one and would leave it. `move` makes all moves at
-    /// once.
+    /// Whether the file moves any instance, whether it moves one to `path`, and whether it moves
+    /// one away from there.
+    bool moves_any() const { return !contents_.moved.empty(); }
+    bool moves_to(const std::string& path) const;
+    bool moves_away(const std::string& path) const;
+    /// The path of an instance that the file moves out of what is at `path`; "" if there is none.
+    std::string moved_out_of(const std::string& path) const;
+    /// Whether and how instances get other paths: those that the file makes, and others, which the
+    /// file moves. `require_movable` throws Error if the instance is a part of another one that the
+    /// file makes, and would leave it. `move` makes all moves at once.
     void require_movable(const std::string& from, const std::string& to) const;
     void move(const std::vector<MoveStep>& moves);
     /// Replaces the paths of instances in tweaks and in their references.
@@ -100,9 +111,14 @@ class KeptTweaks {
         std::string property;
         std::string key;
     };
+    struct Moved {
+        std::string key, home, now;  // `home`: the path that a scene file gives
+    };
     struct Contents {
         std::map<std::string, std::vector<Kept>> values{};  // by path of the instance
         std::vector<std::string> created{}, deleted{};      // paths
+        std::vector<Moved> moved{};
+        InstanceMoves moves{};  // the same as `moved`
     };
     void read();
     void set_contents(Contents contents);
@@ -133,7 +149,26 @@ class KeptTweaks {
     bool assign(const Assignment& to, bool last);
     void assign_or_wait(Assignment to);
     void try_waiting(bool last);
-    void create_all();
+    /// What is still to be done of the moves, deletions and creations.
+    struct Mover {
+        const Moved* move;
+        Handle instance;
+    };
+    struct Open {
+        std::vector<Mover> movers{};                                      // parents first
+        std::vector<std::pair<const Node*, std::string>> deletions{};     // with their paths
+        std::unordered_set<std::string> to_delete{};                      // these paths
+        std::unordered_map<std::string, const std::string*> creations{};  // keys by path
+    };
+    std::vector<Handle> apply_structure();
+    std::string path_of_values(Handle instance) const;
+    Open all_open();
+    void make_room(const Open& open);
+    bool move_some(Open& open, bool last);
+    bool move_now(const Mover& mover, const Open& open,
+                  const std::unordered_set<const Moved*>& done, bool last);
+    bool delete_some(Open& open, bool last);
+    bool create_some(Open& open, bool last);
     void run_formulas();
     void fold();
     std::string made_above(const std::string& path) const;
@@ -143,6 +178,9 @@ class KeptTweaks {
     static std::vector<std::string> deepest_first(const std::vector<std::string>& paths,
                                                   const Remove& remove);
     std::vector<std::string> forget_beside(const std::vector<std::string>& paths);
+    void delete_moved_into(const PathSet& set, const std::vector<std::string>& paths);
+    void rename_deleted(const NewPath& now_at);
+    void put_moved(const std::string& home, const std::string& now);
     void name_as_in(const std::string& path, const std::string& scene);
     bool remove_part(const std::string& path);
     static SceneSteps steps_between(const std::string& top, const std::string& path);
@@ -193,6 +231,7 @@ class KeptTweaks {
     std::vector<Assignment> waiting_;           // until the instance that they refer to exists
     bool unwritten_ = false;                    // the document is newer than the file
     bool applied_ = false;                      // set by `apply_all`
+    bool moved_ = false;                        // the same, when everything has its place
     std::map<std::string, Given> given_now_;    // in this run, by key
     std::unique_ptr<LocatedWrites> located_;    // while the game is being loaded
     std::weak_ptr<const Tree*> tree_life_;

@@ -161,13 +161,23 @@ void KeptTweaks::retry_waiting() {
     if (!waiting_.empty() && applied_) try_waiting(true);
 }
 
+/// The path under which the file has the values of an instance. Before the file moves it, and when
+/// the game makes it again later, the instance has the path of its scene file.
+std::string KeptTweaks::path_of_values(Handle instance) const {
+    std::string path = tree_.path(instance);
+    if (contents_.moved.empty()) return path;
+    if (moved_ && (contents_.values.contains(path) || !is_marked(contents_.moves.home(path))))
+        return path;
+    return contents_.moves.now(path);
+}
+
 void KeptTweaks::apply_values(Handle top) {
     if ((contents_.values.empty() && waiting_.empty()) || !tree_.alive(top)) return;
     if (top != tree_.root() && !tree_.is_below(top, tree_.root())) return;
     std::vector<std::pair<Handle, const std::vector<Kept>*>> found;
     tree_.each_below(top, [&](Handle handle) {
-        if (const auto it = contents_.values.find(tree_.path(handle)); it != contents_.values.end())
-            found.emplace_back(handle, &it->second);
+        auto it = contents_.values.find(path_of_values(handle));
+        if (it != contents_.values.end()) found.emplace_back(handle, &it->second);
     });
     for (const auto& [handle, kept] : found)
         for (const Kept& each : *kept)
@@ -218,80 +228,9 @@ void KeptTweaks::report_unused_values() {
     }
 }
 
-/// Makes parents before their children, in any order of the file. Sets references after all
-/// instances exist.
-void KeptTweaks::create_all() {
-    std::unordered_map<std::string, const std::string*> open;  // keys by path
-    for (const std::string& key : contents_.created) {
-        const std::vector<Segment> segments = parse_path(key);
-        open.emplace(joined_path(segments, segments.size()), &key);
-    }
-    for (const std::string& key : contents_.created) {
-        const std::vector<Segment> segments = parse_path(key);
-        Handle at = tree_.root();
-        for (std::size_t i = 0; at && i < segments.size(); ++i) {
-            const std::string& name = std::get<std::string>(segments[i].key);
-            if (Handle child = tree_.child(at, name)) {
-                at = child;
-                continue;
-            }
-            const auto found = open.find(joined_path(segments, i + 1));
-            if (found == open.end()) break;
-            create(*found->second);
-            open.erase(found);
-            at = tree_.child(at, name);
-        }
-        if (open.erase(joined_path(segments, segments.size())) != 0) create(key);
-    }
-}
-
-void KeptTweaks::create(const std::string& path) {
-    const Node* node = member("created", path);
-    const std::vector<Segment> segments = parse_path(path);
-    const Handle parent = find(*node, path, segments.size() - 1, "nothing can be made below it");
-    if (!parent) return;
-    const std::string& name = std::get<std::string>(segments.back().key);
-    if (tree_.child(parent, name)) return;
-    try {
-        // The text is padded with lines, so that errors name the right line.
-        std::string text(document_->line(node->begin) - 1, '\n');
-        text += document_->raw(*node);
-        const auto scene = std::make_shared<const Document>(std::move(text), file_.string());
-        std::vector<OpenReference> open;
-        const Handle top = load_scene_document(tree_, *scene, parent, name, open);
-        for (const OpenReference& each : open)
-            waiting_.push_back({each.instance, each.property,
-                                tree_.path(each.instance) + path_suffix(each.property), top, scene,
-                                each.node});
-    } catch (const SceneError& error) {
-        report(error);
-    } catch (const Error& error) {
-        warn(node->begin, path + ": " + error.what());
-    }
-}
-
-void KeptTweaks::apply_all() {
-    const Node* deleted =
-        document_ != nullptr ? document_->member(document_->root(), "deleted") : nullptr;
-    std::size_t next = 0;
-    for (const Node* node = deleted != nullptr ? document_->first(*deleted) : nullptr;
-         node && next < contents_.deleted.size(); node = document_->next(*node)) {
-        const std::string& path = contents_.deleted[next++];
-        // An instance that an edit put in its place is made below in any case, so a missing one is
-        // no error.
-        const bool replaced = member("created", path) != nullptr;
-        const Handle instance =
-            find(*node, path, SIZE_MAX, replaced ? "" : "there is nothing to delete");
-        if (!instance) continue;
-        try {
-            const Tree::CauseScope cause(tree_, Writer::load);
-            tree_.destroy(instance);
-        } catch (const Error& error) {
-            warn(node->begin, path + ": " + error.what());
-        }
-    }
+std::vector<Handle> KeptTweaks::apply_all() {
     waiting_.clear();  // they are added again
-    create_all();
+    const std::vector<Handle> moved = apply_structure();
     apply_values(tree_.root());
     applied_ = true;
     compare_with_given();
@@ -299,6 +238,7 @@ void KeptTweaks::apply_all() {
     try_waiting(true);
     report_unused_values();
     run_formulas();
+    return moved;
 }
 
 /// Values that modules derive from formulas must be correct before the first barrier.
