@@ -283,7 +283,7 @@ function fettle_Pen.radial(center, radius, colors) end
 ---@param action fun(pen: Pen)
 function fettle_Pen.screen(action) end
 
----A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; the position is the middle of its height. It may have several lines, each aligned by itself, in the middle unless another alignment is given, and tabs: a line goes on at the next multiple of twice the height that leaves room for a space. Fonts are sans, bold, mono and font files of the game. A line that would be wider than wrap goes on in the next line, at a space.
+---A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; the position is the middle of its height. It may have several lines, each aligned by itself, in the middle unless another alignment is given, and tabs: a line goes on at the next multiple of twice the height that leaves room for a space. Fonts are sans, bold, mono and font files of the game. A line that would be wider than wrap goes on in the next line, at a space. With a color as outline, the letters have a line of it around them.
 ---@param position vec
 ---@param text any
 ---@param height? number
@@ -291,7 +291,8 @@ function fettle_Pen.screen(action) end
 ---@param align? "middle"|"left"|"right"
 ---@param font? string
 ---@param wrap? number
-function fettle_Pen.text(position, text, height, fill, align, font, wrap) end
+---@param outline? color|string
+function fettle_Pen.text(position, text, height, fill, align, font, wrap, outline) end
 
 ---Returns the width and the height of a text.
 ---@param text any
@@ -1801,6 +1802,13 @@ function fettle_Tilemap:cell_at(point) end
 ---@param y integer Row, from 0 at the top, as the editor counts.
 ---@return vec point The point in the world. · m
 function fettle_Tilemap:cell_center(x, y) end
+
+---The shortest way over cells without solid tiles.
+---@param from vec A point in the world. · m
+---@param to vec A point in the world. · m
+---@param diagonals? boolean Whether a step may lead over a corner, if both cells beside it are free; true if it is left out.
+---@return vec[]? points The middles of the cells after that of `from`; nil if there is no way, or none that is found in 250 000 cells.
+function fettle_Tilemap:path(from, to, diagonals) end
 
 ---Reads the map file again and makes its instances again. Changed cells stay changed in layers that the file still has.
 function fettle_Tilemap:reload() end

@@ -68,8 +68,11 @@ class GameMedia : public property::Media {
                             : style.align == property::TextAlign::right ? width
                                                                         : 0.5 * width;
         painter.push(property::Transform::moved(position));
-        draw_letters(painter, layout, style.size, {-left, -0.5 * style.size * layout.height},
-                     style.color);
+        const property::Vec2 corner(-left, -0.5 * style.size * layout.height);
+        constexpr double outline_width = 0.06;  // of the size, as that of Text
+        if (style.outline.a > 0)
+            draw_letters(painter, layout, style.size, corner, style.outline, outline_width);
+        draw_letters(painter, layout, style.size, corner, style.color);
         painter.pop();
     }
 

@@ -62,7 +62,7 @@ function Night:finish(won)                       -- keeps the eight best scores
     self.running, self.won, self.rank, self.menu = false, won, 1, ""
     while rows[self.rank] and rows[self.rank].score >= self.score do self.rank = self.rank + 1 end
     table.insert(rows, self.rank, mine)
-    rows[9], store.scores = nil, rows
+    store.scores = table.move(rows, 1, 8, 1, {})
     after(1.4, function() night.menu = "over" end)
 end
 

@@ -99,6 +99,23 @@ TEST_CASE("assigning a table copies it and reading gives the table in the store"
           "false\teval:13: this table is no longer in the store: it was replaced or removed\n");
 }
 
+TEST_CASE("a table of the store that is put where it is stays the same table") {
+    const Folder folder;
+    CHECK(run(folder, R"(
+        store.scores = { 3, 2, 1 }
+        local scores = store.scores
+        store.scores = scores
+        scores[1], store.scores = 9, scores
+        scores[4] = 0
+        print(store.scores[1], #store.scores, scores == store.scores)
+        store.scores = { 5 }
+        print(pcall(function() scores[1] = 7 end))
+    )")
+              .out ==
+          "9\t4\ttrue\n"
+          "false\teval:9: this table is no longer in the store: it was replaced or removed\n");
+}
+
 TEST_CASE("a list in the store is the value of a property or an argument as other lists are") {
     const Folder folder;
     const Outcome outcome = run(folder, R"(

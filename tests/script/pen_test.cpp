@@ -55,6 +55,7 @@ struct CutImage : fettle::property::Media {
     void load_font(const User&, const std::string&) override {}
     bool smooth() const override { return true; }
     std::vector<double> wraps;
+    std::vector<float> outlines;  // opacity
     stage::Vec2 text_size(std::string_view, const fettle::property::TextStyle& style) override {
         wraps.push_back(style.wrap);
         return {0, 0};
@@ -66,6 +67,7 @@ struct CutImage : fettle::property::Media {
     void text(fettle::property::Painter&, const stage::Vec2&, std::string_view,
               const fettle::property::TextStyle& style) override {
         wraps.push_back(style.wrap);
+        outlines.push_back(style.outline.a);
     }
 };
 
@@ -130,6 +132,26 @@ end
         CHECK_FALSE(s.runtime->draw(recorder));
         CHECK_THAT(s.errors.back().message, contains("pen.text"));
     }
+}
+
+TEST_CASE("a text of the pen may have an outline") {
+    CutImage fonts;
+    fettle::script::Options options = stage::unhurried();
+    options.media = &fonts;
+    Stage s(options);
+    Recorder recorder;
+    s.run(R"lua(
+function draw(pen)
+    pen.text(vec(0, 0), "a", 1, "white", "left", nil, nil, "black")
+    pen.text(vec(0, 0), "a", 1, "white", "left", nil, nil, false)
+    pen.text(vec(0, 0), "a")
+end
+)lua");
+    REQUIRE(s.runtime->draw(recorder));
+    CHECK(fonts.outlines == std::vector<float>{1, 0, 0});
+    s.run("function draw(pen) pen.text(vec(0, 0), 'a', 1, 'white', 'left', nil, nil, 'blak') end");
+    CHECK_FALSE(s.runtime->draw(recorder));
+    CHECK_THAT(s.errors.back().message, contains("did you mean \"black\""));
 }
 
 TEST_CASE("draw gets a pen that can be used only during the call") {

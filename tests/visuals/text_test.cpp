@@ -47,6 +47,22 @@ struct Written : Gallery {
 
 }  // namespace
 
+TEST_CASE_METHOD(Gallery, "a text without an instance may have an outline below its letters") {
+    Sheet sheet;
+    const auto written = [&](Color outline) {
+        sheet.all.clear();
+        visuals.media().text(sheet, Vec2(0, 0), "Ha", {.outline = outline});
+        return sheet.all;
+    };
+    const auto plain = written(Color{0, 0, 0, 0});
+    const auto lined = written(Color{1, 0, 0, 1});
+    CHECK(plain.size() == 2);
+    REQUIRE(lined.size() == 4);
+    CHECK(lined[0].color == Color{1, 0, 0, 1});
+    CHECK(lined[2].color == Color{1, 1, 1, 1});
+    CHECK(Box({lined[0]}).left < Box({lined[2]}).left);
+}
+
 TEST_CASE_METHOD(Written, "a drawn text has the measured size at any zoom") {
     const double measured = width();
     CHECK(measured > 3);

@@ -13,6 +13,7 @@ namespace {
 using Channels = std::uint16_t __attribute__((vector_size(16)));
 using SignedChannels = std::int16_t __attribute__((vector_size(16)));
 using Bytes = std::uint8_t __attribute__((vector_size(16)));
+using TwoPixels = std::uint8_t __attribute__((vector_size(8)));
 
 // Parts of a texel. With more, a difference of two channels times a part would not fit in 16 bits.
 constexpr int parts = 128;
@@ -33,10 +34,10 @@ SignedChannels load(const std::uint8_t* from) {
     return widened(two_pixels);
 }
 
-Bytes narrowed(Channels channels) {
-    const auto bytes = reinterpret_cast<Bytes>(channels);
-    return __builtin_shufflevector(bytes, bytes, 0, 2, 4, 6, 8, 10, 12, 14, 0, 2, 4, 6, 8, 10, 12,
-                                   14);
+/// The lower byte of each channel, which is one instruction. (With GCC, a shuffle of these bytes
+/// moves each through memory.)
+TwoPixels narrowed(Channels channels) {
+    return __builtin_convertvector(channels, TwoPixels);
 }
 
 SignedChannels mixed(SignedChannels a, SignedChannels b, SignedChannels weight) {
@@ -47,29 +48,29 @@ SignedChannels all(std::int16_t value) {
     return SignedChannels{} + value;
 }
 
-/// x / 255, rounded, for products of two bytes.
-Channels by_255(Channels x) {
-    const Channels y = x + 128;
-    return (y + (y >> 8)) >> 8;
+/// A byte as a part of 256, so that products are divided by 256: 0 stays 0, 255 becomes 256. The
+/// other ones become wrong by less than a half.
+Channels part_of_256(Channels byte) {
+    return byte + (byte >> 7);
 }
 
 /// Puts two pixels of the texture, multiplied by the tint, over those of the picture.
 template <bool adds>
 Channels put_over(Channels below, SignedChannels texture, Channels tint) {
-    Channels color = by_255(reinterpret_cast<Channels>(texture) * tint);
-    const Channels opacity = __builtin_shufflevector(color, color, 3, 3, 3, 3, 7, 7, 7, 7);
-    constexpr Channels only_colors{0xffff, 0xffff, 0xffff, 0, 0xffff, 0xffff, 0xffff, 0};
+    const Channels color = (reinterpret_cast<Channels>(texture) * tint + 128) >> 8;
+    const Channels opacity =
+        part_of_256(__builtin_shufflevector(color, color, 3, 3, 3, 3, 7, 7, 7, 7));
     constexpr Channels whole{0, 0, 0, 255, 0, 0, 0, 255};
-    color = by_255(color * ((opacity & only_colors) | whole));
-    if constexpr (!adds) return color + by_255(below * (255 - opacity));
-    const Channels sum = below + color;
+    const Channels above = (color | whole) * opacity;
+    if constexpr (!adds) return (above + below * (256 - opacity) + 128) >> 8;
+    const Channels sum = below + ((above + 128) >> 8);
     return (sum | reinterpret_cast<Channels>(sum > 255)) & 255;
 }
 
 template <bool adds>
 void put_two(std::uint8_t* to, SignedChannels texture, Channels tint) {
     const auto below = reinterpret_cast<Channels>(load(to));
-    const Bytes bytes = narrowed(put_over<adds>(below, texture, tint));
+    const TwoPixels bytes = narrowed(put_over<adds>(below, texture, tint));
     std::memcpy(to, &bytes, 8);
 }
 
@@ -78,7 +79,7 @@ void put_one(std::uint8_t* to, SignedChannels texture, Channels tint) {
     std::uint32_t one;
     std::memcpy(&one, to, 4);
     const auto below = reinterpret_cast<Channels>(widened(one));
-    const Bytes bytes = narrowed(put_over<adds>(below, texture, tint));
+    const TwoPixels bytes = narrowed(put_over<adds>(below, texture, tint));
     std::memcpy(to, &bytes, 4);
 }
 
@@ -106,8 +107,9 @@ Place place(float texel, int size, bool smooth) {
 
 /// The first pixel whose middle is not before `x`.
 int first_from(float x, int lower, int upper) {
-    return static_cast<int>(
-        std::ceil(std::clamp(x - 0.5f, static_cast<float>(lower), static_cast<float>(upper))));
+    const float inside = std::clamp(x - 0.5f, static_cast<float>(lower), static_cast<float>(upper));
+    const int before = static_cast<int>(inside);
+    return before + (static_cast<float>(before) < inside ? 1 : 0);
 }
 
 bool is_upright(const CanvasVertex* c) {
@@ -115,7 +117,7 @@ bool is_upright(const CanvasVertex* c) {
 }
 
 Channels tint_of(const CanvasVertex& c) {
-    return Channels{c.r, c.g, c.b, c.a, c.r, c.g, c.b, c.a};
+    return part_of_256(Channels{c.r, c.g, c.b, c.a, c.r, c.g, c.b, c.a});
 }
 
 }  // namespace
@@ -186,7 +188,7 @@ void QuadRaster::draw_upright(const CanvasVertex* c) {
     for (int y = top; y < bottom; ++y, to += stride) {
         const float v = a.v + (static_cast<float>(y) + 0.5f - a.y) * down;
         const Place at = place(v, texels_.height, texels_.smooth);
-        const auto length = static_cast<std::ptrdiff_t>(texels_.width) * 4;
+        const std::ptrdiff_t length = texels_.row_length();
         const std::uint8_t* const upper = texels_.rgba + at.before * length;
         const std::uint8_t* const lower = upper + length;
         const SignedChannels weight = all(at.weight);
@@ -229,7 +231,7 @@ void QuadRaster::draw_turned(const CanvasVertex* c) {
     const float wide = c[1].u - c[0].u, high = c[3].v - c[0].v;
     const Channels tint = tint_of(c[0]);
     const auto stride = static_cast<std::ptrdiff_t>(box_.width()) * 4;
-    const auto length = static_cast<std::ptrdiff_t>(texels_.width) * 4;
+    const std::ptrdiff_t length = texels_.row_length();
     for (int y = top; y < bottom; ++y) {
         std::uint8_t* const row = pixels_.data() + (y - box_.top) * stride - 4 * box_.left;
         const float below = static_cast<float>(y) + 0.5f - c[0].y;

@@ -2,6 +2,7 @@
 // Draws many small parts of a texture on the processor. A renderer of OpenGL in software takes
 // about 0.8 microseconds for a quad however small it is, and this takes a tenth of that.
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,6 +17,8 @@ struct TexelRows {
     const std::uint8_t* rgba = nullptr;
     int width = 0, height = 0;
     bool smooth = false;  // texels are mixed, as OpenGL does it
+    int gap = 0;          // unused texels between a row and the next
+    std::ptrdiff_t row_length() const { return 4 * static_cast<std::ptrdiff_t>(width + gap); }
 };
 
 /// A rectangle of pixels of the target; `right` and `bottom` are the first ones beyond it.

@@ -118,6 +118,11 @@ class Coercion {
         return wrong_type(value);
     }
 
+    Value run_element(std::size_t index, const Value& value) const {
+        element_ = index;
+        return property_.any_type ? any(value) : run(property_.element, value);
+    }
+
   private:
     [[noreturn]] void fail(ErrorKind kind, const std::string& reason) const {
         std::string path = context_.path(context_.what);
@@ -335,6 +340,11 @@ Property property_like(const Field& field) {
 
 Value coerce_value(const Property& property, const Value& value, const CoerceContext& context) {
     return Coercion(property, context).run(property.any_type ? Type::nil : property.type, value);
+}
+
+Value coerce_element(const Property& property, std::size_t index, const Value& value,
+                     const CoerceContext& context) {
+    return Coercion(property, context).run_element(index, value);
 }
 
 Value coerced(const Tree& tree, const Property& property, const Value& value,

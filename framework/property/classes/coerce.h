@@ -21,6 +21,10 @@ Property property_like(const Field& field);
 /// Throws Error(wrong_type, out_of_range, not_finite).
 Value coerce_value(const Property& property, const Value& value, const CoerceContext& context);
 
+/// The same for one element, from 1, of a list that the property holds.
+Value coerce_element(const Property& property, std::size_t index, const Value& value,
+                     const CoerceContext& context);
+
 /// Rounds to a float. Not inline, because GCC 12 at -O2 removes two such roundings whose results
 /// lie side by side in memory, as those of a vector do.
 double narrowed(double x);

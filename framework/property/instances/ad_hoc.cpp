@@ -16,6 +16,13 @@ const AdHoc::Entry* AdHoc::find(std::uint32_t index, const std::string& name) co
     return found == own->second.end() ? nullptr : &found->second;
 }
 
+Value* AdHoc::find_value(std::uint32_t index, const std::string& name) {
+    const auto own = of_instance.find(index);
+    if (own == of_instance.end()) return nullptr;
+    const auto found = own->second.find(name);
+    return found == own->second.end() ? nullptr : &found->second.second;
+}
+
 bool AdHoc::find_placement(const Own& own, Placement& placement) {
     const auto value = [&own](const char* name) {
         const auto found = own.find(name);

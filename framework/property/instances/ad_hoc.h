@@ -33,6 +33,7 @@ struct AdHoc {
 
     /// nullptr if the instance has no ad-hoc property of that name.
     const Entry* find(std::uint32_t index, const std::string& name) const;
+    Value* find_value(std::uint32_t index, const std::string& name);
     /// Adds a descriptor for a new name. Throws Error(bad_name) when there are too many.
     const Property& declare(Symbol name);
 };

@@ -147,6 +147,20 @@ Value Instances::coerce(Handle instance, const Property& property, const Value& 
     return coerce_value(property, value, {.tree = &tree, .path = &path_of_cell, .what = &cell});
 }
 
+Value Instances::coerce_element(Handle instance, const Property& property, std::size_t index,
+                                const Value& value) const {
+    const CellName cell{tree, instance, property};
+    return property::coerce_element(property, index, value,
+                                    {.tree = &tree, .path = &path_of_cell, .what = &cell});
+}
+
+Value* Instances::kept_value(std::uint32_t index, const Node& node, const Property& property) {
+    if (property.binding.kind == BindingKind::stored)
+        return stored[node.class_id]->find<Value>(property, node.stored_row);
+    if (property.binding.kind != BindingKind::ad_hoc || !node.has_ad_hoc) return nullptr;
+    return ad_hoc.find_value(index, property.name);
+}
+
 [[gnu::cold, gnu::noinline]] void Instances::refused(Handle instance,
                                                      const Property& property) const {
     try {

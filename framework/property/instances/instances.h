@@ -83,6 +83,11 @@ struct Instances {
     void write(std::uint32_t index, const Node& node, const Property& property, const Value& value);
     /// Converts the value to the type of that property. Throws as `Tree::set` does.
     Value coerce(Handle instance, const Property& property, const Value& value) const;
+    Value coerce_element(Handle instance, const Property& property, std::size_t index,
+                         const Value& value) const;
+    /// Where the tree itself keeps the value of the property; null if a module keeps it, or if it
+    /// is not a `Value` in memory.
+    Value* kept_value(std::uint32_t index, const Node& node, const Property& property);
     /// Reports that a setter threw, so the write did not happen. Must be called in the `catch`
     /// block.
     [[noreturn]] void refused(Handle instance, const Property& property) const;

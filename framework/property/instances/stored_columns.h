@@ -42,6 +42,12 @@ class StoredColumns {
         return column == nullptr ? nullptr : &(*column)[row];
     }
 
+    template <class T>
+    T* find(const Property& property, std::uint32_t row) {
+        auto* const column = std::get_if<std::vector<T>>(&columns_[property.stored_index]);
+        return column == nullptr ? nullptr : &(*column)[row];
+    }
+
     /// A sparse property. `any_sparse`: whether some row may have another value than 0.
     double sparse(std::uint32_t index, std::uint32_t row) const;
     bool any_sparse(std::uint32_t index) const;

@@ -20,6 +20,7 @@ enum class WriteLog::EntryKind : std::uint8_t {
     computed,  // the same, written by the formula of the property
     reset,     // handle, property
     removed,
+    element,        // handle, property, index, value; index 0: the last one was removed
     formula,        // handle, property, index of the formula
     formula_ended,  // handle, property
     created,        // handle, class, parent, name, named
@@ -166,11 +167,7 @@ void WriteLog::wrote_plain(const PlainWrites& writes) {
         kept_count_ += writes.list.size();
     }
     for (const PlainWrite& write : writes.list)
-        if (write.instance)
-            each_source(tree_, write.instance, *write.property, [&](const Property& source) {
-                note(EntryKind::value, write.instance, source);
-                ByteWriter(bytes_).put(tree_.peek(write.instance, source));
-            });
+        if (write.instance) note_sources(write.instance, *write.property);
 }
 
 void WriteLog::wrote(Handle instance, const Property& property, const Value& now) {
@@ -179,10 +176,24 @@ void WriteLog::wrote(Handle instance, const Property& property, const Value& now
     const bool computed = tree_.state().changes.author.writer == Writer::formula;
     note(computed ? EntryKind::computed : EntryKind::value, instance, property);
     ByteWriter(bytes_).put(now);
+    note_sources(instance, property);
+}
+
+void WriteLog::note_sources(Handle instance, const Property& property) {
     each_source(tree_, instance, property, [&](const Property& source) {
         note(EntryKind::value, instance, source);
         ByteWriter(bytes_).put(tree_.peek(instance, source));
     });
+}
+
+void WriteLog::wrote_element(Handle instance, const Property& property, std::size_t index,
+                             const Value* element, const Value&) {
+    if (!notes()) return;
+    note(EntryKind::element, instance, property);
+    ByteWriter to(bytes_);
+    to.put(std::uint64_t{element != nullptr ? index : 0});
+    if (element != nullptr) to.put(*element);
+    note_sources(instance, property);
 }
 
 void WriteLog::was_reset(Handle instance, const Property& property) {
@@ -368,21 +379,25 @@ void WriteLog::Player::repeat_entry(EntryKind kind) {
 
 /// Reads all operands first, so that the reader is at the next entry if the write fails.
 void WriteLog::Player::value(EntryKind kind, Handle instance, Symbol name) {
-    const bool has_value = kind == EntryKind::value || kind == EntryKind::computed;
+    const auto index = kind == EntryKind::element ? from_.get<std::uint64_t>() : 0;
+    const bool has_value = kind == EntryKind::value || kind == EntryKind::computed || index > 0;
     const Value now = has_value ? from_.value() : Value();
     const Formula* const formula =
         kind == EntryKind::formula ? &piece_.formulas.at(from_.get<std::uint32_t>()) : nullptr;
     const Property* property = tree_.find(instance, name);
+    const bool is_past = property != nullptr && !is_of_the_present(instance, *property);
     switch (kind) {
         case EntryKind::value:
             return write(instance, name, now);
         case EntryKind::computed:
-            if (property == nullptr || is_of_the_present(instance, *property)) return;
-            s_.instances.write(instance.index, s_.instances.require(instance), *property, now);
+            if (is_past)
+                s_.instances.write(instance.index, s_.instances.require(instance), *property, now);
             return;
         case EntryKind::reset:
-            if (property != nullptr && !is_of_the_present(instance, *property))
-                tree_.reset(instance, *property);
+            return is_past ? tree_.reset(instance, *property) : void();
+        case EntryKind::element:
+            if (is_past && index == 0) tree_.remove_last_element(instance, *property);
+            if (is_past && index > 0) tree_.set_element(instance, *property, index, now);
             return;
         case EntryKind::removed:
             return tree_.remove_ad_hoc(instance, name.text());

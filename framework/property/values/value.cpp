@@ -17,13 +17,19 @@ struct Value::Shared {
     mutable std::atomic<std::uint32_t> count{1};
     std::string text;
     List list;
-    int depth = 1;  // depth of nested lists, this one included
+    int depth = 1;  // depth of nested lists, this one included, or that of an element before
 };
 
 namespace {
 
 // Limit for recursive functions (printing, comparing, saving). Snapshots have the same limit.
 constexpr int deepest_list = 64;
+
+void require_depth(int depth) {
+    if (depth > deepest_list)
+        throw Error(ErrorKind::out_of_range,
+                    "lists are in lists more than " + std::to_string(deepest_list) + " deep");
+}
 
 }  // namespace
 
@@ -49,9 +55,7 @@ Value::Value(List v) {
     int depth = 1;
     for (const Value& element : v)
         if (element.type_ == Type::list) depth = std::max(depth, element.data_.shared->depth + 1);
-    if (depth > deepest_list)
-        throw Error(ErrorKind::out_of_range,
-                    "lists are in lists more than " + std::to_string(deepest_list) + " deep");
+    require_depth(depth);
     data_.shared = new Shared{.text = {}, .list = std::move(v), .depth = depth};
     type_ = Type::list;
 }
@@ -69,6 +73,34 @@ const std::string& Value::text() const {
 }
 const List& Value::list() const {
     return as(Type::list).shared->list;
+}
+
+/// A list that no other value shares.
+Value::Shared& Value::own_list() {
+    const Shared& all = *as(Type::list).shared;
+    if (all.count.load(std::memory_order_acquire) > 1) {
+        Value own{List()};
+        own.data_.shared->list.reserve(all.list.size() + all.list.size() / 2 + 1);
+        own.data_.shared->list = all.list;
+        own.data_.shared->depth = all.depth;
+        swap(own);
+    }
+    return *data_.shared;
+}
+
+void Value::set_element(std::size_t index, Value element) {
+    const int depth = element.type_ == Type::list ? element.data_.shared->depth + 1 : 1;
+    require_depth(depth);
+    Shared& all = own_list();
+    all.depth = std::max(all.depth, depth);
+    if (index == all.list.size())
+        all.list.push_back(std::move(element));
+    else
+        all.list.at(index) = std::move(element);
+}
+
+void Value::remove_last_element() {
+    own_list().list.pop_back();
 }
 
 Value default_value(Type type) {

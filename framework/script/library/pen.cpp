@@ -1,7 +1,8 @@
 // The global `pen`, with which draw(pen) draws. World units, y up; inside pen.screen(fn) pixels, y
 // down.
 //   the figures of pen_figures.cpp
-//   pen.text(position, text [, height [, color [, "middle" | "left" | "right" [, font [, wrap]]]]])
+//   pen.text(position, text [, height [, color [, "middle" | "left" | "right" [, font [, wrap
+//     [, outline]]]]]])
 //   pen.screen(function)
 //   pen.push([position [, angle [, scale]]])   pen.pop()
 //   pen.fade(opacity)   pen.blend(mode)   pen.clip(lower, upper)      until pen.pop(), or the end
@@ -84,7 +85,7 @@ int text(lua_State* L) {
         lua_remove(L, 1);
         lua_insert(L, 2);
     }
-    lua_settop(L, 7);
+    lua_settop(L, 8);
     const Vec2 position = point_at(L, 1, "pen.text");
     const double height =
         lua_isnil(L, 3) ? on_screen(L) ? 16 : 0.5 : length_at(L, 3, "pen.text", "height");
@@ -92,10 +93,16 @@ int text(lua_State* L) {
     const auto align = align_at(L, 5);
     const std::string font = font_at(L, 6, "pen.text");
     const double wrap = wrap_at(L, 7, "pen.text");
+    const Color outline = color_or(L, 8, "pen.text", {0, 0, 0, 0});
     push_tostring(L, 2);
     if (property::Media* const media = machine_of(L).options.media)
         media->text(painter(L), position, view_at(L, -1),
-                    {.font = font, .size = height, .color = color, .align = align, .wrap = wrap});
+                    {.font = font,
+                     .size = height,
+                     .color = color,
+                     .align = align,
+                     .wrap = wrap,
+                     .outline = outline});
     else
         painter(L).text(position, view_at(L, -1), height, color, align);
     return 0;

@@ -294,7 +294,7 @@ TypeDoc pen_type() {
           "What the function draws is measured in pixels from the upper left corner."},
          {"text",
           "text(position: vec, text: any, height?: number, fill?: color|string, align?: "
-          "\"middle\"|\"left\"|\"right\", font?: string, wrap?: number)",
+          "\"middle\"|\"left\"|\"right\", font?: string, wrap?: number, outline?: color|string)",
           "A text, half a meter high unless a height is given, and 16 pixels inside pen.screen; "
           "the "
           "position is the middle of its height. It may have several lines, each aligned by "
@@ -303,7 +303,7 @@ TypeDoc pen_type() {
           "multiple of twice the height that leaves room for a space. Fonts are sans, bold, mono "
           "and "
           "font files of the game. A line that would be wider than wrap goes on in the next line, "
-          "at a space."},
+          "at a space. With a color as outline, the letters have a line of it around them."},
          {"text_size",
           "text_size(text: any, height?: number, font?: string, wrap?: number): number, number",
           "Returns the width and the height of a text."}}};

@@ -54,13 +54,15 @@ void note_moved(lua_State* L, const ListBox& box, std::size_t place, const Value
 int insert(lua_State* L) {
     check_list(L);
     if (const auto* box = list_at(L, 1)) {
-        const Value before = list_value(L, *box);
-        List list = before.list();
+        Value before = list_value(L, *box);
+        const std::size_t after = before.list().size() + 1;
         const bool placed = lua_gettop(L) >= 3;
-        const std::size_t place =
-            placed ? position(L, 2, list.size() + 1, "table.insert") : list.size() + 1;
-        list.insert(list.begin() + static_cast<std::ptrdiff_t>(place - 1),
-                    to_value(L, placed ? 3 : 2));
+        const std::size_t place = placed ? position(L, 2, after, "table.insert") : after;
+        const Value added = to_value(L, placed ? 3 : 2);
+        if (place == after && !added.is_nil() && change_element(L, *box, before, place, added))
+            return 0;
+        List list = before.list();
+        list.insert(list.begin() + static_cast<std::ptrdiff_t>(place - 1), added);
         write_list(L, *box, list);
         note_moved(L, *box, place, before);
         return 0;
@@ -73,15 +75,17 @@ int insert(lua_State* L) {
 int remove(lua_State* L) {
     check_list(L);
     if (const auto* box = list_at(L, 1)) {
-        const Value before = list_value(L, *box);
-        List list = before.list();
-        if (list.empty()) {
+        Value before = list_value(L, *box);
+        const std::size_t size = before.list().size();
+        if (size == 0) {
             lua_pushnil(L);
             return 1;
         }
         const std::size_t place =
-            lua_isnoneornil(L, 2) ? list.size() : position(L, 2, list.size(), "table.remove");
-        push_value(L, list[place - 1]);
+            lua_isnoneornil(L, 2) ? size : position(L, 2, size, "table.remove");
+        push_value(L, before.list()[place - 1]);
+        if (place == size && change_element(L, *box, before, place, Value())) return 1;
+        List list = before.list();
         list.erase(list.begin() + static_cast<std::ptrdiff_t>(place - 1));
         write_list(L, *box, list);
         note_moved(L, *box, place, before);

@@ -22,6 +22,7 @@ void Declarations::begin(bool reload) {
 }
 
 Declarations::All Declarations::end() {
+    if (phase_ == Phase::first) note_lists();
     for (Declared& each : all_)
         if (tree_.alive(each.instance)) each.path = future_path(each.instance);
     phase_ = Phase::none;
@@ -126,6 +127,23 @@ void Declarations::wrote(Handle instance, std::string_view name) {
     now.formula.reset();
     if (const property::Formula* formula = tree_.formula(instance, *property))
         now.formula = *formula;
+}
+
+void Declarations::wrote_element(Handle instance, std::string_view name) {
+    if (!active()) return;
+    Assignment& now = assignment(instance, name);
+    now.value = Value();
+    now.formula.reset();
+}
+
+/// The values of lists that got elements, which `wrote_element` has not noted. Other values that
+/// are nil are so in the tree, too.
+void Declarations::note_lists() {
+    for (Declared& each : all_)
+        for (auto& [name, assignment] : each.assignments)
+            if (assignment.value.is_nil() && !assignment.formula && tree_.alive(each.instance))
+                if (const Property* const property = tree_.find(each.instance, name))
+                    assignment.value = tree_.peek(each.instance, *property);
 }
 
 // --- During a reload

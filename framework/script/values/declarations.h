@@ -76,6 +76,9 @@ class Declarations {
     /// To be called before and after a write of a script.
     void writing(property::Handle instance, std::string_view name);
     void wrote(property::Handle instance, std::string_view name);
+    /// The same for an element of a list, not during a reload. The list is noted when the top level
+    /// has ended: as long as a note of it is kept, each further element would copy it.
+    void wrote_element(property::Handle instance, std::string_view name);
 
     // --- During a reload
 
@@ -115,6 +118,7 @@ class Declarations {
 
   private:
     enum class Phase : std::uint8_t { none, first, reload };
+    void note_lists();
     Declared& entry(property::Handle instance);
     const Declared* find(property::Handle instance) const;
     Assignment& assignment(property::Handle instance, std::string_view name);

@@ -1,5 +1,6 @@
-// Lists that are the value of a property. Reading an element reads the property; writing one
-// replaces the whole list in one change; writing one past the end appends.
+// Lists that are the value of a property. Reading an element reads the property; writing one is a
+// change of the whole list, which is copied only if something else holds it; writing one past the
+// end appends.
 
 #include <algorithm>
 #include <optional>
@@ -45,6 +46,17 @@ void write_list(lua_State* L, const ListBox& box, const List& list) {
                        list);
     else
         origin_write(machine, box.origin, nullptr, list);
+}
+
+bool change_element(lua_State* L, const ListBox& box, Value& before, std::size_t index,
+                    const Value& element) {
+    // A list that was in this place, or was, may still be in a variable (see MovedLists).
+    const List& list = before.list();
+    if (index <= list.size() && list[index - 1].is(Type::list)) return false;
+    before = Value();  // nothing but the property holds the list now, so it need not be copied
+    if (write_element(machine_of(L), box.origin, index, element)) return true;
+    before = list_value(L, box);
+    return false;
 }
 
 namespace {
@@ -97,7 +109,7 @@ int list_newindex(lua_State* L) {
     int whole_number = 0;
     const lua_Integer index = lua_tointegerx(L, 2, &whole_number);
     require_not_replaced(machine, box);
-    const Value value = list_value(L, box);
+    Value value = list_value(L, box);
     const auto size = static_cast<lua_Integer>(value.list().size());
     const auto name = [&] { return origin_path(machine.tree, box.origin); };
     if (lua_type(L, 2) == LUA_TSTRING)
@@ -117,6 +129,7 @@ int list_newindex(lua_State* L) {
                     origin_path(machine.tree, box.origin) + "[" + std::to_string(index) +
                         "]: only the last element can be removed so; use table.remove");
     const auto place = static_cast<std::size_t>(index - 1);
+    if (change_element(L, box, value, place + 1, to_value(L, 3))) return 0;
     if (!removes && box.origin.depth < Origin::deepest) {
         origin_write(machine, element_of(box, place + 1), nullptr, to_value(L, 3));
     } else {

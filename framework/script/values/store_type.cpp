@@ -255,6 +255,11 @@ int store_newindex(lua_State* L) {
     const Store::Key key = key_at(L, 2, "store");
     const std::string path = store.path(self, key);
     lua_settop(L, 3);
+    // A table that is put where it is already stays the same, for all variables that hold it.
+    const auto* const given = store_at(L, 3);
+    const Store::Entry* const there = store.find(self, key);
+    if (given != nullptr && there != nullptr && there->content && there->table == given->table)
+        return 0;
     Store::Entry entry = Filling(L, path).entry_at(3, 0, path);
     const std::string before =
         machine.recording.active ? entry_text(machine, store.find(self, key)) : std::string();

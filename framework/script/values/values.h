@@ -191,6 +191,10 @@ std::string origin_path(const property::Tree& tree, const Origin& origin);
 /// more, and cannot be written.
 property::Value list_value(lua_State* L, const ListBox& box, bool* moved = nullptr);
 void write_list(lua_State* L, const ListBox& box, const property::List& list);
+/// Writes one element, from 1, or removes the last one (nil), without a copy of the others. False
+/// if that is not possible. `before`: the list, which is released.
+bool change_element(lua_State* L, const ListBox& box, property::Value& before, std::size_t index,
+                    const property::Value& element);
 
 /// `define_vec` makes the metatable of vectors, `open_vec` their constructor.
 void define_vec(lua_State* L, Machine& machine);

@@ -61,10 +61,11 @@ std::string meaning_of_instance(const property::Tree& tree, Handle instance,
            ", so a child needs another name";
 }
 
-void set_or_explain(property::Tree& tree, Handle instance, const Property& property,
-                    const Value& value) {
+template <class Write>
+void explained(property::Tree& tree, Handle instance, const Property& property, const Value& value,
+               Write write) {
     try {
-        tree.set(instance, property, value);
+        write();
     } catch (const Error& error) {
         if (error.kind() != ErrorKind::wrong_type || !value.is(property::Type::reference) ||
             property.type == property::Type::reference || !tree.alive(value.reference()) ||
@@ -73,6 +74,11 @@ void set_or_explain(property::Tree& tree, Handle instance, const Property& prope
         throw Error(error.kind(), error.what() + meaning_of_instance(tree, instance, property,
                                                                      value.reference()));
     }
+}
+
+void set_or_explain(property::Tree& tree, Handle instance, const Property& property,
+                    const Value& value) {
+    explained(tree, instance, property, value, [&] { tree.set(instance, property, value); });
 }
 
 }  // namespace
@@ -105,6 +111,24 @@ void write_property(Machine& machine, Handle instance, const Property& property,
     recorded(machine, instance, property,
              [&] { set_or_explain(machine.tree, instance, property, value); });
     declarations.wrote(instance, name);
+}
+
+bool write_element(Machine& machine, const Origin& place, std::size_t index, const Value& element) {
+    if (place.depth > 0 || machine.declarations.reloading() || machine.recording.active)
+        return false;
+    const Property& property = origin_property(machine.tree, place);
+    const std::string name = property.name;
+    note_change(machine, place.instance, name);
+    note_replaced_formula(machine, place.instance, name);
+    machine.declarations.writing(place.instance, name);
+    explained(machine.tree, place.instance, property, element, [&] {
+        if (element.is_nil())
+            machine.tree.remove_last_element(place.instance, property);
+        else
+            machine.tree.set_element(place.instance, property, index, element);
+    });
+    machine.declarations.wrote_element(place.instance, name);
+    return true;
 }
 
 namespace {

@@ -15,6 +15,9 @@ void write_property(Machine& machine, property::Handle instance, const property:
 /// it was a list, can still be assigned elsewhere (see MovedLists).
 void assign_property(Machine& machine, property::Handle instance,
                      const property::Property& property, const property::Value& value);
+/// Writes one element of the list at the place, from 1, which is not in another list; nil removes
+/// the last one. False if that cannot be done without the whole list, which is then as it was.
+bool write_element(Machine& machine, const Origin& place, std::size_t index, const Value& element);
 /// Assigns nil: resets the property to its default, sets nil if it is nullable, or removes an ad
 /// hoc property.
 void clear_property(Machine& machine, property::Handle instance,

@@ -1,10 +1,12 @@
 // The methods of Tilemap: cells, places, properties of tiles.
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <fettle/property/spelling.h>
 
+#include <tilemaps/shortest_way.h>
 #include <tilemaps/tilemaps.h>
 
 namespace fettle::visuals {
@@ -184,6 +186,37 @@ Vec2 Tilemaps::cell_center(Handle map, const Value& x, const Value& y) {
     return upper_left(map, file->map()) + cell / pixels_per_unit(map);
 }
 
+Value Tilemaps::path(Handle map, const Vec2& from, const Vec2& to, bool diagonals) {
+    const auto file = required(map);
+    const std::vector<Handle> layers = tile_layers(map), solid = solid_layers(map);
+    for (const Handle layer : layers) (void)tree_->get(layer, *in_layer_.changes);  // for formulas
+    const auto is_free = [&](CellPlace at) {
+        const auto has = [&](Handle layer) {
+            const Grid* const cells = grid(layer);
+            return cells != nullptr && cells->contains(at.x, at.y);
+        };
+        const auto is_solid = [&](Handle layer) {
+            const Grid* const cells = grid(layer);
+            const TileShape* const shape =
+                cells == nullptr ? nullptr : file->shape(cells->at(at.x, at.y).tile());
+            return shape != nullptr && (shape->whole || !shape->polygons.empty());
+        };
+        return std::ranges::any_of(layers, has) && std::ranges::none_of(solid, is_solid);
+    };
+    const auto place = [&](const Vec2& point) {
+        constexpr double far = 1e8;
+        const Vec2 cell = cell_at(map, point).max({-far, -far}).min({far, far});
+        return CellPlace{static_cast<int>(cell.x), static_cast<int>(cell.y)};
+    };
+    const auto way = shortest_way(place(from), place(to), diagonals, is_free);
+    if (!way) return {};
+    property::List points;
+    for (const CellPlace& cell : *way)
+        points.emplace_back(
+            cell_center(map, Value(std::int64_t{cell.x}), Value(std::int64_t{cell.y})));
+    return Value(std::move(points));
+}
+
 Value Tilemaps::tile_property(Handle map, const Value& tile, const std::string& name) {
     const auto file = required(map);
     const std::uint32_t number = valid_tile(*file, tile);
@@ -305,6 +338,29 @@ std::vector<Method> Tilemaps::methods() {
                [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
                    return Value(t.cell_center(self, given[0], given[1]));
                }),
+        method(
+            *this,
+            {.name = "path",
+             .parameters =
+                 {{.name = "from", .type = Type::vec2, .unit = "m", .doc = "A point in the world."},
+                  {.name = "to", .type = Type::vec2, .unit = "m", .doc = "A point in the world."},
+                  {.name = "diagonals",
+                   .type = Type::boolean,
+                   .doc = "Whether a step may lead over a corner, if both cells "
+                          "beside it are free; true if it is left out."}},
+             .required = 2,
+             .returns = {{.name = "points",
+                          .type = Type::list,
+                          .doc = "The middles of the cells after that of `from`; nil if there "
+                                 "is no way, or none that is found in 250 000 cells.",
+                          .element = Type::vec2,
+                          .nullable = true}},
+             .doc = "The shortest way over cells without solid tiles.",
+             .effect = Effect::nothing},
+            [](Tilemaps& t, Handle self, Arguments given) -> property::Result {
+                return t.path(self, given[0].vec2(), given[1].vec2(),
+                              given[2].is_nil() || given[2].boolean());
+            }),
         method(*this,
                {.name = "tile_property",
                 .parameters = {tile_field,

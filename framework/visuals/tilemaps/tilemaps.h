@@ -45,6 +45,9 @@ class Tilemaps {
     property::Vec2 cell_at(property::Handle map, const property::Vec2& point);
     property::Vec2 cell_center(property::Handle map, const property::Value& x,
                                const property::Value& y);
+    /// A list of points, or nil.
+    property::Value path(property::Handle map, const property::Vec2& from, const property::Vec2& to,
+                         bool diagonals);
     property::Value tile_property(property::Handle map, const property::Value& tile,
                                   const std::string& name);
     // --- map_layers.cpp

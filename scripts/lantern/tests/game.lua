@@ -16,6 +16,24 @@ test("who stands still in the dark is put out, and begins again", function(t)
     expect(#world.swarm:children()):below(3)
 end)
 
+test("each night that ends is among the eight best, or is forgotten", function(t)
+    store.scores = {}
+    for i = 1, 8 do store.scores[i] = { score = 1000 * (9 - i), arena = 1, kills = i, won = false } end
+    t:steps(20)
+    for ended, score in ipairs { 5500, 10, 9000 } do
+        t:tap("enter")
+        t:steps(5)
+        night.score, world.hero.hp = score, 1
+        world.hero:hurt(5)
+        t:wait_until(function() return night.menu == "over" end, 10)
+        t:steps(20)
+        expect(#store.scores):is(8)
+        expect(#display.over.scores.items):is(8)
+        expect(display.over.scores.selected):is(({ 4, 0, 1 })[ended])
+    end
+    expect({ store.scores[1].score, store.scores[5].score, store.scores[8].score }):is { 9000, 5500, 3000 }
+end)
+
 test("keys, the mouse and a gamepad walk", function(t)
     bot.begin(t)
     input.gamepad_1.left = vec(0, 1)

@@ -24,6 +24,7 @@ struct TextStyle {
     Color color{1, 1, 1, 1};
     TextAlign align = TextAlign::middle;
     double wrap = 0;  // greatest width of a line of several words, in these units; 0: no limit
+    Color outline{0, 0, 0, 0};  // around the letters; transparent: none
 };
 
 /// A frame of an image: columns and rows of equal frames, or those of an Aseprite export.

@@ -43,6 +43,12 @@ class Observer {
     /// A plain value was written; it replaced a formula if there was one. The write may have added
     /// an ad-hoc property.
     virtual void wrote(Handle, const Property&, const Value& /*now*/) {}
+    /// The list of a property got another or a further element, from 1. Null: the last element was
+    /// removed. The default calls `wrote`.
+    virtual void wrote_element(Handle instance, const Property& property, std::size_t /*index*/,
+                               const Value* /*element*/, const Value& now) {
+        wrote(instance, property, now);
+    }
     /// Several writes of the typed functions (`Tree::write`), in order. Scripts use these most, and
     /// one call per write would cost more than the write. Called before any other member, and
     /// before the writer or the step changes. The default calls `wrote` for each.

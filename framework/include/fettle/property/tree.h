@@ -181,6 +181,14 @@ class Tree {
     /// then.
     void set(Handle instance, const Property& property, const Value& value);
     void set(Handle instance, std::string_view name, const Value& value);
+    /// Writes an element of the list that the property holds, from 1; one after the last is added.
+    /// It has the effects of `set` with the whole list, but only the element is checked and, if
+    /// nothing else holds the list (a snapshot, a watcher that waits for the change), nothing is
+    /// copied: a list grows in constant time for each element.
+    void set_element(Handle instance, const Property& property, std::size_t index,
+                     const Value& element);
+    /// Removes the last element, in the same way.
+    void remove_last_element(Handle instance, const Property& property);
     /// The typed functions, for numbers and vec2s in the usual cases. The instance must have the
     /// property; this is not checked. They return false if `get` or `set` must be used (another
     /// type, a formula, a deleted instance, a watcher, a value that is not finite or out of range).

@@ -140,6 +140,12 @@ class Value {
     const std::string& text() const;
     /// Throws Error(wrong_type) if the value has another type.
     const List& list() const;
+    /// Replaces an element of a list, or adds one (`index` is the number of elements). Other values
+    /// that share the list stay as they are: only then the list is copied. Throws as the
+    /// constructor does.
+    void set_element(std::size_t index, Value element);
+    /// Removes the last element, in the same way.
+    void remove_last_element();
 
     /// integer or number, as a double (an integer beyond 2^53 is rounded).
     double as_double() const {
@@ -170,6 +176,7 @@ class Value {
     bool shared() const { return type_ == Type::text || type_ == Type::list; }
     void retain() const;
     void release();
+    FETTLE_PROPERTY_PRIVATE Shared& own_list();
 
     Data data_;
     Type type_ = Type::nil;

@@ -54,6 +54,8 @@ class WriteLog : public Observer {
     void play(const LoggedWrites& piece);
 
     void wrote(Handle instance, const Property& property, const Value& now) override;
+    void wrote_element(Handle instance, const Property& property, std::size_t index,
+                       const Value* element, const Value& now) override;
     void wrote_plain(const PlainWrites& writes) override;
     void was_reset(Handle instance, const Property& property) override;
     void removed(Handle instance, const Property& property) override;
@@ -73,6 +75,8 @@ class WriteLog : public Observer {
     enum class EntryKind : std::uint8_t;
     class FETTLE_PROPERTY_PRIVATE Player;
     void note(EntryKind what, Handle instance, const Property& property);
+    /// The values of the properties from which it derives, if the write has changed them.
+    void note_sources(Handle instance, const Property& property);
 
     /// Plain writes that belong after the first `at` bytes. They are copied only once, when the
     /// log is taken.
