@@ -1284,7 +1284,7 @@ Chain = {}
 ---@field snap number It stays on ground that falls away by at most this in a step of time. · m · 0 to 1000 · default 0.25
 ---@field step_height number Height of the steps that it climbs. · m · 0 to 1000 · default 0.3
 ---@field visible boolean True if its capsule is drawn; set it to false if a sprite is drawn in its place. · true or false · default true
----@field walk number Target speed along the ground, to its right; negative to its left. · m/s · any finite number · default 0
+---@field walk number Target speed along the ground, to its right; negative to its left. In the air it is relative to the ground that it left. · m/s · any finite number · default 0
 local fettle_Mover = {}
 
 ---Lets it fall through the ledge on which it stands.

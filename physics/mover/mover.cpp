@@ -153,6 +153,14 @@ Vec2 kept_on_ground(const WorldData& data, const Obstacles& obstacles, const Mov
     return kept - min(0.0f, dot(kept - by_velocity, aside)) * aside;
 }
 
+/// The velocity relative to the ground on which a mover lands. The ground takes along a mover that
+/// would otherwise be faster relative to it than it was in the air.
+Vec2 landing(Vec2 velocity, Vec2 ground_velocity, Vec2 up) {
+    const auto aside = [up](Vec2 v) { return std::fabs(cross(up, v)); };
+    const Vec2 relative = velocity - ground_velocity;
+    return aside(relative) < aside(velocity) ? relative : velocity;
+}
+
 void report_hits(Moved& moved, const Moving& moving, const Obstacles& obstacles, World& world,
                  WorldData& data) {
     const auto set_wall = [&](const Plane& plane) {
@@ -231,7 +239,8 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     moved.crushed = !moving.has_room();
     report_hits(moved, moving, obstacles, world, data);
 
-    moved.velocity = moving.clipped(wanted);
+    const Vec2 carried = (1.0f / dt) * ride.motion;
+    moved.velocity = moving.clipped(wanted + carried);
     const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
     const std::optional<Plane> ground =
         ground_after(data, obstacles, moving, own, !state_.climbing && !lifts, up);
@@ -242,12 +251,13 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         const Obstacle& below = obstacles[ground->obstacle];
         state_.ground = data.shape_id(data.named_shape(below.shape));
         state_.ground_normal = ground->normal;
-        moved.velocity = kept_on_ground(data, obstacles, moving, wanted, up);
         report_ground(moved, below, *ground, moving.position, world, data, dt);
+        const Vec2 relative = stood ? wanted : landing(wanted, moved.ground_velocity, up);
+        moved.velocity = kept_on_ground(data, obstacles, moving, relative, up);
     }
     if (dropped && !overlaps_dropped(world)) state_.dropped = {};
 
-    const Vec2 absolute = bounded(velocity, 1e6f) + (1.0f / dt) * ride.motion;
+    const Vec2 absolute = bounded(velocity, 1e6f) + carried;
     for (const Push& push : moving.pushes) push_body(world, def_, push, absolute, dt);
     if (ground) press_on_ground(world, data, def_, obstacles[ground->obstacle], ground->point);
     return moved;

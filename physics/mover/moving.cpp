@@ -27,7 +27,11 @@ std::vector<Bound> Moving::bounds(Vec2 motion, bool with_distance) const {
         if (with_distance && plane.separation > skin) least = skin - plane.separation;
         if (with_distance && plane.separation < 0.5f * skin)
             least = min(0.5f * skin - plane.separation, most);
-        if (!with_distance) least = min(0.0f, dot(plane.normal, obstacles_.velocity_at(plane)));
+        if (!with_distance) {
+            // Dynamic bodies give way to a mover; others take it along.
+            least = dot(plane.normal, obstacles_.velocity_at(plane));
+            if (obstacles_[plane.obstacle].dynamic) least = min(0.0f, least);
+        }
         all.push_back({plane.normal, least});
         if (!settings_.walks || !is_steep(plane)) continue;
         const Vec2 aside = normalized(lateral(plane.normal));

@@ -66,6 +66,7 @@ void Obstacles::find(Box4 box, const Position& position, uint32_t carrier, float
                      std::optional<ShapeId> left_out) {
     all_.clear();
     time_ = 0.0f;
+    dt_ = dt;
     data_.read_all();
     float fastest = 0.0f;
     for (uint32_t i = 1; data_.kinematic_bodies > 0 && i < data_.bodies.size(); ++i) {
@@ -221,7 +222,7 @@ std::optional<Plane> Obstacles::plane(uint32_t index, const Position& position) 
 
 Vec2 Obstacles::velocity_at(const Plane& plane) const {
     const Obstacle& obstacle = all_[plane.obstacle];
-    if (!obstacle.dynamic) return {};
+    if (!obstacle.dynamic) return dt_ > 0.0f ? (1.0f / dt_) * obstacle.shift : Vec2{};
     const BodyState& state = data_.states[obstacle.body];
     return state.velocity +
            cross(state.angular_velocity, plane.point - data_.bodies[obstacle.body].center);

@@ -85,7 +85,7 @@ class Obstacles {
     std::optional<Vec2> ray(const Position& from, Vec2 motion) const;
     /// The plane of one obstacle. None if it does not act on a mover at this position.
     std::optional<Plane> plane(uint32_t obstacle, const Position& position) const;
-    /// The velocity of a dynamic body at a plane, m/s; zero for all other obstacles.
+    /// The velocity of an obstacle at a plane, m/s.
     Vec2 velocity_at(const Plane& plane) const;
     const Obstacle& operator[](uint32_t index) const { return all_[index]; }
     WorldData& data() const { return data_; }
@@ -103,6 +103,7 @@ class Obstacles {
     QueryFilter filter_;
     std::vector<Obstacle> all_;
     float time_ = 0.0f;
+    float dt_ = 0.0f;  ///< s: the length of the step; 0: nothing moves
 };
 
 /// The motion of a point of a body in the step.

@@ -130,8 +130,9 @@ void World::start_recording(RecordingSink sink) {
         throw std::invalid_argument(
             "the world is recorded already: call World::stop_recording before");
     auto recorder = std::make_unique<Recorder>(std::move(sink));
+    // The state as it is: a refresh here would give the parts of new shapes other slots than one at
+    // the next step, and with them another order of contacts.
     std::vector<std::byte> saved;
-    data.read_all();
     save(saved);
     WorldLock lock(data.self, WorldLock::During::query, in_recording);
     recorder->begin(data, saved);

@@ -288,6 +288,8 @@ void end_sums(const SolverInput& input, const Columns& columns) {
     const ObjectState& objects = input.objects;
     for (VelocitySums& sums : input.sums) {
         if (sums.solver_body == 0) continue;
+        if (const AttractedBody* const pulled = input.bodies.attractions.find(sums.solver_body))
+            sums.fields = sums.fields + pulled->difference;
         add_bounces(sums, input.contacts.serial);
         add_bounces(sums, input.contacts.passing);
         std::erase_if(sums.contacts, [](const VelocitySums::OfContact& sum) {

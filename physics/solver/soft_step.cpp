@@ -145,9 +145,8 @@ struct alignas(cache_line_size) SoftStep {
         const std::span which = schedule.blocks.bodies_of(block);
         return RangeLoop(threads_of(block), which.size(), bodies_at_a_time,
                          [this, which, again](size_t begin, size_t end) {
-                             integrate_velocities(which.subspan(begin, end - begin),
-                                                  bodies.solver_bodies, bodies.solver_forces,
-                                                  limits, again);
+                             begin_substep(bodies, which.subspan(begin, end - begin), h, limits,
+                                           again);
                          });
     }
 

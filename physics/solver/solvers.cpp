@@ -6,8 +6,11 @@
 
 namespace fettle::physics::detail {
 
-void solve(const SolverInput& input, const JointStep& joint_step, const ContactStiffness& stiffness,
-           const WideKernels& kernels, StepStatistics& statistics) {
+namespace {
+
+void solve_constraints(const SolverInput& input, const JointStep& joint_step,
+                       const ContactStiffness& stiffness, const WideKernels& kernels,
+                       StepStatistics& statistics) {
     statistics.direct_solves = statistics.direct_failures = 0;
     switch (input.settings.solver) {
         case Solver::soft_step:
@@ -19,11 +22,27 @@ void solve(const SolverInput& input, const JointStep& joint_step, const ContactS
     }
 }
 
+}  // namespace
+
+void solve(const SolverInput& input, const JointStep& joint_step, const ContactStiffness& stiffness,
+           const WideKernels& kernels, StepStatistics& statistics) {
+    solve_constraints(input, joint_step, stiffness, kernels, statistics);
+    input.bodies.attractions.finish(input.bodies.solver_forces, input.settings.substeps);
+}
+
+void begin_substep(BodyScratch& bodies, std::span<const uint32_t> which, float h,
+                   const SubstepLimits& limits, bool again) {
+    if (!bodies.attractions.empty())
+        bodies.attractions.follow(which, bodies.solver_bodies, bodies.solver_forces, h,
+                                  greatest_speed);
+    integrate_velocities(which, bodies.solver_bodies, bodies.solver_forces, limits, again);
+}
+
 void apply_forces(const SolverInput& input, float h) {
     BodyScratch& bodies = input.bodies;
     const SolverBlocks& blocks = input.schedule.blocks;
-    integrate_velocities(blocks.bodies_of(blocks[0]), bodies.solver_bodies, bodies.solver_forces,
-                         {input.settings.max_speed, greatest_turn / h}, false);
+    begin_substep(bodies, blocks.bodies_of(blocks[0]), h,
+                  {input.settings.max_speed, greatest_turn / h}, false);
     zero_locked(input);
     bodies.solver_bodies[0] = {};
 }

@@ -2,6 +2,7 @@
 
 #include <constraints/joint_ends.h>
 #include <constraints/stiffness.h>
+#include <solver/motion.h>
 #include <state/step_scratch.h>
 #include <state/velocity_sums.h>
 #include <state/world_state.h>
@@ -54,6 +55,9 @@ void solve_directly(const SolverInput& input, const JointStep& joint_step,
 
 // Parts of a sub-step that several solvers use.
 
+/// Begins a sub-step of length `h` for the bodies listed in `which`, as `integrate_velocities`.
+void begin_substep(BodyScratch& bodies, std::span<const uint32_t> which, float h,
+                   const SubstepLimits& limits, bool again);
 /// Begins a sub-step of a solver without warm starting.
 void apply_forces(const SolverInput& input, float h);
 /// Keeps the velocities of bodies within their locked axes and their maximum speeds.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <broad_phase/tree.h>
+#include <constraints/attraction.h>
 #include <constraints/contact_constraint.h>
 #include <constraints/rolling_contact.h>
 #include <constraints/wide_contact.h>
@@ -65,12 +66,13 @@ struct BodyScratch {
     std::vector<uint32_t> limited;
     std::vector<uint8_t> bounced;            ///< by body: the last pass of impacts that changed it
     std::vector<FirstImpact> first_impacts;  ///< by body
+    Attractions attractions;                 ///< of the bodies that attractors pull
     bool axes_locked = false;                ///< some awake body is locked along x or y
     bool driven = false;                     ///< some awake body is kinematic
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
-                   s.locked, s.maybe_crowded, s.limited, s.bounced, s.first_impacts, s.axes_locked,
-                   s.driven)
+                   s.locked, s.maybe_crowded, s.limited, s.bounced, s.first_impacts, s.attractions,
+                   s.axes_locked, s.driven)
 };
 
 /// The acting joints of one type in a step, in the order of their nodes.

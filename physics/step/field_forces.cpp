@@ -21,7 +21,7 @@ bool inside(const std::optional<Aabb>& region, const Position& p) {
 class FieldOnBody {
   public:
     FieldOnBody(const ObjectState& objects, const Columns& columns, Vec2 gravity, uint32_t body,
-                uint64_t mask, float h, float dt, FieldEffect& push)
+                uint64_t mask, float h, float dt, FieldEffect& push, Attractions& attractions)
         : objects_(objects),
           columns_(columns),
           gravity_(gravity),
@@ -30,7 +30,8 @@ class FieldOnBody {
           velocity_(columns.states[body].velocity),
           spin_(columns.states[body].angular_velocity),
           mask_(mask),
-          effect_(push) {}
+          effect_(push),
+          attractions_(attractions) {}
 
     void operator()(const WindField& wind) {
         each_shape([&](uint32_t shape) {
@@ -76,13 +77,9 @@ class FieldOnBody {
     }
 
     void operator()(const AttractorField& attractor) {
-        const Vec2 d = attractor.center - (body_.center + lead_ * velocity_);
-        const float distance = length(d);
-        const float far = max(distance, attractor.core);
-        float acceleration = attractor.strength;
-        for (int i = 0; i < attractor.falloff; ++i) acceleration /= far;
-        // Within the core it decreases linearly to 0.
-        effect_.at({}, (body_.mass * acceleration / max(far, 1e-6f)) * d);
+        // The mean force, for the resistances; each sub-step corrects it.
+        effect_.at({}, body_.mass * pull_of(attractor, body_.center + lead_ * velocity_));
+        attractions_.attractors.push_back(attractor);
     }
 
   private:
@@ -150,6 +147,7 @@ class FieldOnBody {
     float spin_;
     uint64_t mask_;
     FieldEffect& effect_;
+    Attractions& attractions_;
 };
 
 bool acts_on_body(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
@@ -182,11 +180,28 @@ void add_push(const FieldEffect& push, const BodyRecord& record, float h, float 
     f.turn_change = float(bounded(change[2] / substeps, limit));
 }
 
+/// Adds a body that the attractors from `first` on pull. `place`: where their mean force, which its
+/// forces contain, was computed.
+void attract(const BodyRecord& record, uint32_t solver_index, uint32_t first, const Position& place,
+             float h, Attractions& to) {
+    AttractedBody body;
+    body.center = record.center;
+    body.moves = {record.flags.locked_x ? 0.0f : 1.0f, record.flags.locked_y ? 0.0f : 1.0f};
+    body.begin = first;
+    body.end = uint32_t(to.attractors.size());
+    body.usual = body.now = to.change_at(body, place, h, greatest_speed);
+    to.bodies.push_back(body);
+    to.of_body.resize(solver_index + 1, 0);
+    to.of_body[solver_index] = uint32_t(to.bodies.size());
+}
+
 }  // namespace
 
 void apply_fields(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
                   std::span<const uint32_t> awake, Vec2 gravity, float h, float dt,
-                  std::span<SolverForce> forces) {
+                  BodyScratch& bodies) {
+    Attractions& attractions = bodies.attractions;
+    attractions.clear();
     if (objects.field_slots.count == 0) return;
     for (size_t i = 0; i < awake.size(); ++i) {
         const uint32_t body = awake[i];
@@ -194,16 +209,23 @@ void apply_fields(const ObjectState& objects, const Columns& columns, std::span<
         if (record.mobility != Mobility::dynamic) continue;
         FieldEffect push;
         bool pushed = false;
+        const auto first = uint32_t(attractions.attractors.size());
         for (const FieldRecord& field : objects.fields) {
             if (field.generation == 0 || !field.def.enabled ||
                 !acts_on_body(objects, columns, boxes, body, field.def))
                 continue;
             pushed = true;
-            std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, h, dt, push),
+            std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, h, dt, push,
+                                   attractions),
                        field.def.force);
         }
-        if (pushed) add_push(push, record, h, dt, forces[i + 1]);
+        if (pushed) add_push(push, record, h, dt, bodies.solver_forces[i + 1]);
+        if (attractions.attractors.size() == first) continue;
+        const float lead = 0.5f * (dt - h);
+        attract(record, uint32_t(i + 1), first,
+                record.center + lead * columns.states[body].velocity, h, attractions);
     }
+    if (!attractions.empty()) attractions.of_body.resize(awake.size() + 1, 0);
 }
 
 }  // namespace fettle::physics::detail

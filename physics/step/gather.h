@@ -24,6 +24,6 @@ void clear_ends(const ActiveLists& active, BodyScratch& bodies);
 /// the boxes of the shapes, by slot.
 void apply_fields(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
                   std::span<const uint32_t> awake, Vec2 gravity, float h, float dt,
-                  std::span<SolverForce> forces);
+                  BodyScratch& bodies);
 
 }  // namespace fettle::physics::detail

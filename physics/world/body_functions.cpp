@@ -86,6 +86,8 @@ void WorldData::call_velocity_functions(float dt, int substeps) {
             continue;
         }
         if (wanted != usual.velocity) {
+            if (AttractedBody* const pulled = attractions.find(bodies[slot].solver_index))
+                *pulled = {};  // the function has the last word
             f.change = {share_of(b.velocity.x, wanted.x, substeps),
                         share_of(b.velocity.y, wanted.y, substeps)};
             f.keep = {1.0f, 1.0f};

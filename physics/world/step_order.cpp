@@ -167,7 +167,7 @@ void WorldData::gather_objects(const SubSteps& sub, float dt) {
     gather_bodies(objects(), columns(), active(), settings, strips, sub.h, body_scratch(), hubs,
                   threads);
     apply_fields(objects(), columns(), boxes, awake_bodies, settings.gravity, sub.h, dt,
-                 solver_forces);
+                 body_scratch());
     if (!self.functions.empty()) call_velocity_functions(dt, sub.settings.substeps);
 }
 

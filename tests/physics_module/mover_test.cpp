@@ -117,6 +117,61 @@ TEST_CASE_METHOD(Scene, "a mover rides a lift and keeps its velocity when it jum
     CHECK(vec(hero, "velocity").x == Approx(-2).epsilon(0.05));
 }
 
+TEST_CASE_METHOD(Scene, "a mover that jumps on a moving platform lands where it began") {
+    const Handle train = body("Box", {0, 5}, "kinematic");
+    set(shape_of(train), "width", 100);
+    for (const double speed : {-20.0, 2.0, 20.0}) {
+        set(train, "velocity", Vec2(0, 0));
+        set(hero, "position", Vec2(x(train), 5.51));
+        step(10);
+        set(train, "velocity", Vec2(speed, 0));
+        step(40);
+        const double before = x(hero) - x(train);
+        tree.call(hero, "jump", {Value(7.0)});
+        step(30);
+        INFO("speed " << speed);
+        CHECK_FALSE(flag("on_ground"));
+        CHECK(vec(hero, "velocity").x == Approx(speed).epsilon(0.01));
+        step(70);
+        CHECK(flag("on_ground"));
+        CHECK(x(hero) - x(train) == Approx(before).margin(0.1));
+    }
+}
+
+TEST_CASE_METHOD(Scene, "a mover in the air walks relative to the ground that it left") {
+    const Handle train = body("Box", {0, 5}, "kinematic");
+    set(shape_of(train), "width", 100);
+    set(train, "velocity", Vec2(10, 0));
+    set(hero, "position", Vec2(0, 5.51));
+    set(hero, "walk", -3);
+    step(40);
+    tree.call(hero, "jump", {Value(7.0)});
+    step(30);
+    CHECK(vec(hero, "velocity").x == Approx(7).epsilon(0.01));
+    set(hero, "walk", 3);
+    step(30);
+    CHECK(vec(hero, "velocity").x == Approx(13).epsilon(0.01));
+    step(60);
+    CHECK(flag("on_ground"));
+    CHECK(vec(hero, "velocity").x == Approx(13).epsilon(0.01));
+}
+
+TEST_CASE_METHOD(Scene, "a wall ends the speed of the ground that a mover left") {
+    const Handle platform = body("Box", {0, 5}, "kinematic");
+    set(shape_of(platform), "width", 4);
+    const Handle wall = body("Box", {6, 6}, "static");
+    set(shape_of(wall), "height", 4);
+    set(platform, "velocity", Vec2(6, 0));
+    set(hero, "position", Vec2(0, 5.51));
+    step(10);
+    set(platform, "velocity", Vec2(0, 0));
+    tree.call(hero, "jump", {Value(5.0)});
+    set(hero, "velocity", Vec2(6, 5));
+    step(90);
+    CHECK(x(hero) < 5.2);
+    CHECK(vec(hero, "velocity").x == Approx(0).margin(0.01));
+}
+
 TEST_CASE_METHOD(Scene, "a mover crouches and stands up where there is room") {
     const Handle ceiling = body("Box", {4, 2}, "static");
     set(shape_of(ceiling), "width", 3);

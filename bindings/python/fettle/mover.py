@@ -15,7 +15,7 @@ from .shape import Shape
 class Moved(NamedTuple):
     """What happened in a move."""
     motion: Vec2  # m, the ride on the ground included
-    velocity: Vec2  # that is left, m/s, relative to the ground
+    velocity: Vec2  # for the next move, m/s: relative to the ground, in the air to the world
     ground_normal: Vec2  # zero in the air
     ground_velocity: Vec2  # of the ground at its feet, m/s
     wall_normal: Vec2  # of the last wall or ceiling that it hit
@@ -168,7 +168,7 @@ class Mover(HasProperties):
         self._check_and_set({}, made)
 
     def move(self, velocity, dt):
-        """Moves it by velocity (m/s, relative to the ground) times dt (s), and with the ground. To be called before
+        """Moves it by velocity (m/s, relative to the ground if it stands) times dt (s), and with the ground. To be called before
         `world.step(dt)`. What happened is a `Moved`."""
         moved = ffi.new("fettle_moved*")
         x, y = pair(velocity, "velocity")

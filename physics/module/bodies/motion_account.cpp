@@ -162,6 +162,8 @@ class Motion {
             lines_.push_back(
                 "it is in the air, with " + walk + ", by at most " +
                 setting("air_acceleration", record.settings.air_acceleration, "m/s\xC2\xB2"));
+            const physics::Vec2 left(record.result.left_x, record.result.left_y);
+            if (left != physics::Vec2{}) add_line("the ground that it left moves: + ", left);
             largest_ = 0;
             forces(static_cast<float>(hosting_.last_dt) * body_.gravity_scale() * world_.gravity(),
                    {}, {});

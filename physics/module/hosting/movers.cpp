@@ -76,10 +76,11 @@ bool are_valid(const MoverSettings& s) {
 
 /// False if a deserialized number is not finite or larger than any step makes it.
 bool is_valid(const MoverResult& result, const MoverEvents& events) {
-    const float numbers[] = {
-        result.velocity_x, result.velocity_y, result.shown_x,      result.shown_y,  result.place_x,
-        result.place_y,    result.normal_x,   result.normal_y,     result.ground_x, result.ground_y,
-        events.bump_x,     events.bump_y,     events.landing_speed};
+    const float numbers[] = {result.velocity_x, result.velocity_y, result.shown_x,
+                             result.shown_y,    result.place_x,    result.place_y,
+                             result.normal_x,   result.normal_y,   result.ground_x,
+                             result.ground_y,   result.left_x,     result.left_y,
+                             events.bump_x,     events.bump_y,     events.landing_speed};
     return std::all_of(std::begin(numbers), std::end(numbers),
                        [](float x) { return is_within(x, -1e9f, 1e9f); });
 }

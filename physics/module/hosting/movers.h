@@ -28,6 +28,7 @@ struct MoverResult {
     float place_x = 0.0f, place_y = 0.0f;        // where the body must be after the step
     float normal_x = 0.0f, normal_y = 0.0f;      // of the ground
     float ground_x = 0.0f, ground_y = 0.0f;      // velocity of the ground
+    float left_x = 0.0f, left_y = 0.0f;          // in the air: of the ground that it left
     physics::ShapeId ground, dropped;
 };
 
@@ -46,7 +47,7 @@ struct MoverRecord {
     MoverResult result;
     MoverEvents events;
 };
-static_assert(sizeof(MoverRecord) == 2 * 8 + 32 * 4 + 4 * sizeof(physics::ShapeId));
+static_assert(sizeof(MoverRecord) == 2 * 8 + 34 * 4 + 4 * sizeof(physics::ShapeId));
 
 /// The movers of one world, in the order of their slots.
 class Movers {

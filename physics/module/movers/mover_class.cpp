@@ -106,9 +106,11 @@ std::vector<Property> form(Hosting& h) {
 
 std::vector<Property> control(Hosting& h) {
     return {
-        number("walk", 0, "m/s",
-               "Target speed along the ground, to its right; negative to its left.",
-               setting_of<&MoverSettings::walk>(h)),
+        number(
+            "walk", 0, "m/s",
+            "Target speed along the ground, to its right; negative to its left. In the air it is "
+            "relative to the ground that it left.",
+            setting_of<&MoverSettings::walk>(h)),
         number("climb", 0, "m/s", "Speed upwards while it climbs.",
                setting_of<&MoverSettings::climb>(h)),
         simulated(flag("climbing", false,

@@ -44,6 +44,16 @@ Vec2 relative_velocity(const MoverResult& result, const physics::Body& body) {
     return result.on_ground != 0 ? Vec2(now - Vec2(result.ground_x, result.ground_y)) : now;
 }
 
+/// The velocity of the ground that it left; zero while it stands.
+Vec2 left_ground_of(const MoverResult& result) {
+    return {result.left_x, result.left_y};
+}
+
+void set_left_ground(MoverResult& result, const Vec2& velocity) {
+    result.left_x = velocity.x;
+    result.left_y = velocity.y;
+}
+
 float approached(float from, float to, float most) {
     return from + std::clamp(to - from, -most, most);
 }
@@ -59,7 +69,9 @@ Vec2 wanted_velocity(const MoverRecord& record, const physics::Body& body, const
     const Vec2 before = relative_velocity(record.result, body);
     const bool stands = record.result.on_ground != 0;
     const float rate = stands ? record.settings.acceleration : record.settings.air_acceleration;
-    const float along = approached(before.dot(right), walk, rate * dt);
+    // A jump in a moving train lands where it began.
+    const float base = stands ? 0.0f : left_ground_of(record.result).dot(right);
+    const float along = approached(before.dot(right), walk + base, rate * dt);
     Vec2 wanted = along * right + before.dot(up) * up;
     if (!stands) wanted += dt * body.gravity_scale() * body.world().gravity();
     return {std::clamp(wanted.x, -limit, limit), std::clamp(wanted.y, -limit, limit)};
@@ -116,8 +128,21 @@ void leave_ground(MoverResult& result) {
     if (result.on_ground == 0) return;
     result.velocity_x += result.ground_x;
     result.velocity_y += result.ground_y;
+    set_left_ground(result, {result.ground_x, result.ground_y});
     result.on_ground = 0;
     result.ground = {};
+}
+
+/// `ground`: the velocity of the ground before the move; `left`: the velocity after it.
+void remember_left_ground(MoverRecord& record, bool stood, const Vec2& ground, const Vec2& left,
+                          const physics::Moved& moved, const Vec2& right) {
+    MoverResult& result = record.result;
+    if (moved.on_ground || record.settings.climbing != 0) return set_left_ground(result, {});
+    if (stood) set_left_ground(result, ground);
+    if (!moved.hit_wall) return;
+    // A wall that does not move with the ground that it left ends this motion.
+    const float base = left_ground_of(result).dot(right), along = left.dot(right);
+    set_left_ground(result, std::clamp(base, std::min(0.0f, along), std::max(0.0f, along)) * right);
 }
 
 void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
@@ -136,6 +161,7 @@ void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
     if (was_moved(record.result, body.position())) {
         record.result.on_ground = 0;
         record.result.ground = {};
+        set_left_ground(record.result, {});
     }
     const MoverRecord before = record;
     const Vec2 up = body.world_vector({0.0f, 1.0f});
@@ -154,11 +180,14 @@ void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
     store(record.result, mover, moved);
     store_events(record.events, before.result, moved, -wanted.dot(up));
 
-    // In the air the velocity is absolute, and on the ground relative to it.
+    const Vec2 ground(before.result.ground_x, before.result.ground_y);
     Vec2 left = moved.velocity;
-    if (stands) left += Vec2(before.result.ground_x, before.result.ground_y);
-    if (moved.on_ground) left -= moved.ground_velocity;
-    if (moved.on_ground) left -= left.dot(up) * up;
+    if (stands && moved.on_ground) {
+        // The ground may have become faster or slower below its feet.
+        left += ground - moved.ground_velocity;
+        left -= left.dot(up) * up;
+    }
+    remember_left_ground(record, stands, ground, left, moved, right_of(up));
     record.result.velocity_x = left.x;
     record.result.velocity_y = left.y;
     const Vec2 shown = moved.motion / dt;

@@ -52,8 +52,10 @@ struct MoverState {
 /// The results of a move.
 struct Moved {
     Vec2 motion = {};  ///< m, with the motion of the ground
-    /// The velocity that is left, m/s, relative to the ground: without the parts that obstacles
-    /// stopped. On the ground it has no part along `up`.
+    /// The velocity for the next move, m/s, without the parts that obstacles stopped. On the
+    /// ground it is relative to the ground, and has no part along `up`. In the air it is relative
+    /// to the world: a mover that leaves its ground keeps the velocity of that ground,
+    /// and one that lands is not faster relative to the ground than it was before.
     Vec2 velocity = {};
     bool on_ground = false;     ///< after the move: it stands
     Vec2 ground_normal = {};    ///< zero in the air
@@ -109,9 +111,9 @@ class Mover {
 
     /// Moves it by `velocity` · `dt` and by the motion of the ground. To be called before
     /// `World::step(dt)`: it goes to where kinematic bodies will be after the step, and applies its
-    /// weight and its pushes to dynamic bodies. `velocity` is relative to the ground, m/s; a part
-    /// along `up` lifts it off. It does nothing unless dt > 0. Throws `Locked` inside a function
-    /// that the world is calling.
+    /// weight and its pushes to dynamic bodies. `velocity` is relative to the ground if it stands,
+    /// otherwise to the world, m/s; a part along `up` lifts it off. It does nothing unless dt > 0.
+    /// Throws `Locked` inside a function that the world is calling.
     Moved move(World& world, const Vec2& velocity, float dt);
     /// It falls through the ledge or the chain on which it stands. False if it stands on none.
     bool drop(const World& world);

@@ -43,7 +43,8 @@ typedef struct fettle_mover_state {
 /** What happened in a move. */
 typedef struct fettle_moved {
     fettle_vec2 motion;          /* m, the ride on the ground included */
-    fettle_vec2 velocity;        /* m/s, after obstacles, relative to the ground */
+    fettle_vec2 velocity;        /* for the next move, m/s; relative to the ground, in the air to
+                                    the world */
     fettle_vec2 ground_normal;   /* zero in the air */
     fettle_vec2 ground_velocity; /* of the ground at its feet, m/s */
     fettle_vec2 wall_normal;     /* of the last wall or ceiling that it hit */
@@ -68,9 +69,9 @@ typedef struct fettle_mover_plane {
 fettle_code fettle_mover_def_init(fettle_mover_def* def, size_t size);
 fettle_code fettle_mover_state_init(fettle_mover_state* state, size_t size);
 
-/** Moves it by velocity (m/s, relative to the ground) times dt (s), and with the ground. To be
-    called before fettle_world_step with the same dt. It does nothing unless dt > 0. `moved` may be
-    null. */
+/** Moves it by velocity (m/s, relative to the ground if it stands) times dt (s), and with the
+   ground. To be called before fettle_world_step with the same dt. It does nothing unless dt > 0.
+   `moved` may be null. */
 fettle_code fettle_mover_move(fettle_world* world, const fettle_mover_def* def,
                               fettle_mover_state* state, float velocity_x, float velocity_y,
                               float dt, fettle_moved* moved);
