@@ -1,8 +1,8 @@
 // Fettle's console in a game that has a window and a loop of its own, written with SFML.
 // The game draws its balls itself; the console (the grave key) shows and edits them as they fly.
 //
-//   window [FRAMES]     ends after FRAMES frames, with the console open and a picture in
-//   window.png
+//   window [FRAMES [open]]   ends after FRAMES frames, with a picture in window.png; the word open
+//                            opens the console
 
 #include <cstdint>
 #include <cstdlib>
