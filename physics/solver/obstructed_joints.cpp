@@ -8,7 +8,7 @@ namespace {
 /// sinks into the obstacle by about as much.
 constexpr float obstructed_gap = 0.01f;
 /// Contacts bear at least this part of the pull.
-constexpr float least_part = 0.5f;
+constexpr float least_borne = 0.5f;
 
 /// The impulse with which contacts with bodies that are not dynamic push a body along `direction`.
 float held_back(const ObjectState& objects, uint32_t body, Vec2 direction) {
@@ -33,7 +33,7 @@ bool is_obstructed(const ObjectState& objects, const JointRecord& joint, float h
         if (record.mobility != Mobility::dynamic || record.lists.first_contact == none) continue;
         // The joint pulls body b along its force, and body a against it.
         const Vec2 back = ((side == 0 ? 1.0f : -1.0f) / pull) * joint.force;
-        if (held_back(objects, body, back) > least_part * h * pull) return true;
+        if (held_back(objects, body, back) > least_borne * h * pull) return true;
     }
     return false;
 }
