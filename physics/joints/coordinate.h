@@ -79,6 +79,22 @@ struct Limits {
     }
 };
 
+/// A distance or a translation, or a place nearer to the limits if an obstacle keeps the joint from
+/// coming there: `JointEnds::greatest_error`.
+inline float bounded_place(const JointEnds& ends, const Limits& limits, float place) {
+    const float allowed = limits.nearest(place);
+    return allowed + ends.bounded_error(place - allowed);
+}
+
+/// Moves two bodies that are far beyond a limit along `direction`; returns the remaining place.
+inline float close_beyond_limits(const JointEnds& ends, const Limits& limits, SolverBody& a,
+                                 SolverBody& b, Vec2 direction, float place,
+                                 const JointStep& step) {
+    const float allowed = limits.nearest(place);
+    const float error = ends.bounded_error(place - allowed);
+    return allowed + ends.close_wide_gap(a, b, direction, error, step);
+}
+
 /// True if a velocity has the direction of the speed of a motor. The threshold is small, because a
 /// body that accelerates slowly moves, too.
 inline bool follows(float velocity, float speed) {

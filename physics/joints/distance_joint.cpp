@@ -140,9 +140,7 @@ struct DistanceConstraint {
         if (driven)
             rows.motor(along, motor.speed_within(limits, distance, 1.0f / float(rows.h())),
                        motor.greatest, impulses.motor);
-        const float allowed = limits.nearest(distance);
-        write_limits(limits, impulses.limits, allowed + ends.bounded_error(distance - allowed),
-                     along, rows);
+        write_limits(limits, impulses.limits, bounded_place(ends, limits, distance), along, rows);
     }
     JointLoad load() const { return {impulses.sum() * line.direction, 0.0f}; }
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
@@ -159,11 +157,8 @@ struct DistanceConstraint {
     }
     template <bool biased>
     void limit(SolverBody& a, SolverBody& b, float distance, const JointStep& step) {
-        if (biased && limited) {
-            const float allowed = limits.nearest(distance);
-            const float error = ends.bounded_error(distance - allowed);
-            distance = allowed + ends.close_wide_gap(a, b, line.direction, error, step);
-        }
+        if (biased && limited)
+            distance = close_beyond_limits(ends, limits, a, b, line.direction, distance, step);
         solve_limits<biased>(
             limits, impulses.limits, line.mass, distance, step, [&] { return line.velocity(a, b); },
             [&](float p) { line.push(ends, a, b, p); });

@@ -74,7 +74,9 @@ struct Rail {
     template <bool biased>
     void solve_alone(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
                      const JointStep& step) {
-        if (biased && coordinate.limited) translation = close_beyond_limits(ends, a, b, step);
+        if (biased && coordinate.limited)
+            translation = close_beyond_limits(ends, coordinate.limits, a, b, along.direction,
+                                              translation, step);
         coordinate.solve_alone<biased>(
             impulses.along, along.mass, translation, [&] { return along.velocity(a, b); },
             [&](float p) { along.push(ends, a, b, p); });
@@ -120,22 +122,24 @@ struct Rail {
                     push_rigid<biased>(impulses.across, across.mass, across.velocity(a, b), error,
                                        step.softness(error), reaction));
     }
+    /// A pass over all rows of a rail whose bodies turn freely.
+    template <bool biased>
+    void solve_turning(RailImpulses& impulses, const JointEnds& ends, SolverBody& a, SolverBody& b,
+                       const JointStep& step) {
+        solve_alone<biased>(impulses, ends, a, b, step);
+        RailReaction to_bounds;
+        if (biased) to_bounds = reaction(impulses, ends, a, b, false);
+        solve_across<biased>(impulses, to_bounds.across, ends, a, b, step);
+        solve_bounds<biased>(impulses, ends, a, b, step);
+    }
     /// Closes a wide gap across the axis; returns the remaining offset.
     float close_wide_gap(const JointEnds& ends, SolverBody& a, SolverBody& b,
                          const JointStep& step) const {
         return ends.close_wide_gap(a, b, across.direction, offset, step);
     }
-    /// The same along the axis, if b is far beyond a limit; returns the remaining translation.
-    float close_beyond_limits(const JointEnds& ends, SolverBody& a, SolverBody& b,
-                              const JointStep& step) const {
-        const float allowed = coordinate.limits.nearest(translation);
-        const float error = ends.bounded_error(translation - allowed);
-        return allowed + ends.close_wide_gap(a, b, along.direction, error, step);
-    }
     void write_rows(RailImpulses& impulses, const JointEnds& ends, RowWriter& rows) const {
-        const float allowed = coordinate.limits.nearest(translation);
         coordinate.write_rows(impulses.along, along.mass,
-                              allowed + ends.bounded_error(translation - allowed),
+                              bounded_place(ends, coordinate.limits, translation),
                               along.jacobian(ends), rows);
         rows.hold(across.jacobian(ends), offset, impulses.across);
     }
@@ -164,11 +168,7 @@ struct SlotConstraint {
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         rail.follow(ends, a, b);
-        rail.solve_alone<biased>(impulses.rail, ends, a, b, step);
-        RailReaction reaction;
-        if (biased) reaction = rail.reaction(impulses.rail, ends, a, b, false);
-        rail.solve_across<biased>(impulses.rail, reaction.across, ends, a, b, step);
-        rail.solve_bounds<biased>(impulses.rail, ends, a, b, step);
+        rail.solve_turning<biased>(impulses.rail, ends, a, b, step);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         rail.follow(ends, a, b);

@@ -61,11 +61,7 @@ struct WheelConstraint {
                 push_motor(impulses.motor, angular_mass, velocity, motor.speed, motor.greatest));
         }
         rail.follow(ends, a, b);
-        rail.solve_alone<biased>(impulses.rail, ends, a, b, step);
-        RailReaction reaction;
-        if (biased) reaction = rail.reaction(impulses.rail, ends, a, b, false);
-        rail.solve_across<biased>(impulses.rail, reaction.across, ends, a, b, step);
-        rail.solve_bounds<biased>(impulses.rail, ends, a, b, step);
+        rail.solve_turning<biased>(impulses.rail, ends, a, b, step);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         rail.follow(ends, a, b);

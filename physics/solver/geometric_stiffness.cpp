@@ -2,26 +2,12 @@
 #include <solver/joint_passes.h>
 
 namespace fettle::physics::detail {
-namespace {
-
-/// Calls `visit(kind, array, index)` for each acting joint.
-template <typename Visit>
-void for_each_acting(JointScratch& joints, Visit&& visit) {
-    for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
-        JointArray& array = joints.joint_arrays[i];
-        const JointKind& kind = joint_kind(JointScratch::type_of(i));
-        for (size_t k = 0; k < array.joints.size(); ++k) visit(kind, array, k);
-    }
-}
-
-}  // namespace
-
 void raise_inertia(const JointSource& source, const JointStep& step, JointScratch& joints,
                    BodyScratch& bodies) {
     std::vector<SolverBody>& all = bodies.solver_bodies;
     GeometricStiffness stiffness;
     stiffness.reset(all.size());
-    for_each_acting(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
+    for_each_acting_joint(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
         stiffness.add(kind.ends(array, k), source.objects.joints[array.joints[k]].force);
     });
     std::vector<bool> raised(all.size());
@@ -33,7 +19,7 @@ void raise_inertia(const JointSource& source, const JointStep& step, JointScratc
         all[i].inverse_inertia = inverse;
         bodies.solver_forces[i].turn_change *= inverse / before;
     }
-    for_each_acting(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
+    for_each_acting_joint(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
         const JointEnds& ends = kind.ends(array, k);
         if (raised[ends.a] || raised[ends.b]) kind.prepare(source, array, step, {k, k + 1});
     });

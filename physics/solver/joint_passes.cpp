@@ -252,7 +252,7 @@ void soften_tuned(const ObjectState& objects, JointScratch& joints, float h) {
     }
 }
 
-/// True if the inertia of a body may be too small for the pull of its joints.
+/// True if a joint pulls hard: see `JointKind::prepare`.
 bool write_constraints(const JointSource& source, JointScratch& joints, const JointStep& step,
                        ThreadPool* threads) {
     std::atomic<bool> pulls_hard = false;

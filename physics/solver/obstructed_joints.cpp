@@ -43,18 +43,14 @@ bool is_obstructed(const ObjectState& objects, const JointRecord& joint, float h
 void yield_to_obstacles(const JointSource& source, const JointStep& step, JointScratch& joints) {
     const ObjectState& objects = source.objects;
     if (objects.contact_slots.count == 0) return;
-    for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
-        JointArray& array = joints.joint_arrays[i];
-        const JointKind& kind = joint_kind(JointScratch::type_of(i));
-        for (size_t k = 0; k < array.joints.size(); ++k) {
-            const JointRecord& joint = objects.joints[array.joints[k]];
-            JointEnds& ends = kind.ends(array, k);
-            const std::vector<SolverBody>& bodies = source.bodies.solver_bodies;
-            if (may_be_obstructed(joint.force, bodies[ends.a], bodies[ends.b], step.h) &&
-                is_obstructed(objects, joint, step.h))
-                ends.greatest_error = obstructed_gap;
-        }
-    }
+    const std::vector<SolverBody>& bodies = source.bodies.solver_bodies;
+    for_each_acting_joint(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
+        const JointRecord& joint = objects.joints[array.joints[k]];
+        JointEnds& ends = kind.ends(array, k);
+        if (may_be_obstructed(joint.force, bodies[ends.a], bodies[ends.b], step.h) &&
+            is_obstructed(objects, joint, step.h))
+            ends.greatest_error = obstructed_gap;
+    });
 }
 
 }  // namespace fettle::physics::detail

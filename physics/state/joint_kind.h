@@ -93,4 +93,14 @@ using JointPass = JointKind::Pass JointKind::*;
 /// Each type is defined in its file in `joints`, and listed in joints/joint_types.h.
 const JointKind& joint_kind(JointType type);
 
+/// Calls `visit(kind, array, index)` for each acting joint.
+template <typename Visit>
+void for_each_acting_joint(JointScratch& joints, Visit&& visit) {
+    for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
+        JointArray& array = joints.joint_arrays[i];
+        const JointKind& kind = joint_kind(JointScratch::type_of(i));
+        for (size_t k = 0; k < array.joints.size(); ++k) visit(kind, array, k);
+    }
+}
+
 }  // namespace fettle::physics::detail

@@ -81,12 +81,10 @@ class DirectSolver {
     /// followed each change of a force, it would give energy to the bodies.
     void raise_inertia_for_impulses() {
         stiffness_.reset(bodies_.size());
-        for (size_t i = 0; i < input_.joints.joint_arrays.size(); ++i) {
-            JointArray& array = input_.joints.joint_arrays[i];
-            const JointKind& kind = joint_kind(JointScratch::type_of(i));
-            for (size_t k = 0; k < array.joints.size(); ++k)
-                stiffness_.add(kind.ends(array, k), (1.0f / h_) * kind.load(array, k).push);
-        }
+        const auto add = [&](const JointKind& kind, JointArray& array, size_t k) {
+            stiffness_.add(kind.ends(array, k), (1.0f / h_) * kind.load(array, k).push);
+        };
+        for_each_acting_joint(input_.joints, add);
         for (uint32_t i = 1; i < scales_.size(); ++i) {
             const auto inverse = float(scales_[i].turn * scales_[i].turn);
             const float raised = stiffness_.inverse_inertia(i, inverse, h_);
