@@ -17,10 +17,8 @@ const AdHoc::Entry* AdHoc::find(std::uint32_t index, const std::string& name) co
 }
 
 Value* AdHoc::find_value(std::uint32_t index, const std::string& name) {
-    const auto own = of_instance.find(index);
-    if (own == of_instance.end()) return nullptr;
-    const auto found = own->second.find(name);
-    return found == own->second.end() ? nullptr : &found->second.second;
+    const Entry* const found = find(index, name);
+    return found == nullptr ? nullptr : const_cast<Value*>(&found->second);
 }
 
 bool AdHoc::find_placement(const Own& own, Placement& placement) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -44,8 +45,7 @@ class StoredColumns {
 
     template <class T>
     T* find(const Property& property, std::uint32_t row) {
-        auto* const column = std::get_if<std::vector<T>>(&columns_[property.stored_index]);
-        return column == nullptr ? nullptr : &(*column)[row];
+        return const_cast<T*>(std::as_const(*this).find<T>(property, row));
     }
 
     /// A sparse property. `any_sparse`: whether some row may have another value than 0.
