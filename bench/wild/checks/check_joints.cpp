@@ -68,7 +68,8 @@ class Joints : public Check {
             // While a contact pushes the two bodies apart, the gap is not a failure, since the
             // force of a kinematic body has no bound.
             const bool pushed = is_pushed(moment, joint.a) || is_pushed(moment, joint.b) ||
-                                is_squeezed(joint.a) || is_squeezed(joint.b);
+                                is_squeezed(joint.a) || is_squeezed(joint.b) ||
+                                is_obstructed(moment, joint, at);
             const float arc = beside_arc(moment, joint.a, at.a) + beside_arc(moment, joint.b, at.b);
             const Gap sag = sag_of(moment, joint, loads, size);
             const bool bad =
@@ -137,14 +138,14 @@ class Joints : public Check {
         if (!gap || gap->length > slack || gap->angle > angular_slack) left_out_[i] = true;
     }
 
-    /// Leaves out a joint when one of its bodies is edited or made inside of an obstacle, and then
-    /// the other joints of these bodies: both ends may be held in places that are too far apart.
+    /// Leaves out a joint when one of its bodies is edited, or when an obstacle and one of its
+    /// bodies are made inside of each other, and then the other joints of these bodies: both ends
+    /// may be held in places that are too far apart.
     void leave_out_infeasible(const Moment& moment, std::size_t i) {
         const JointPlan& joint = moment.plan.joints[i];
         for (const int end : {joint.a, joint.b})
             if (end != the_world && (moment.edited_bodies[std::size_t(end)] ||
-                                     (moment.plan.bodies[std::size_t(end)].born == moment.step &&
-                                      is_pushed(moment, end))))
+                                     (moment.edited && is_pushed(moment, end))))
                 left_out_[i] = true;
         if (!left_out_[i]) return;
         // The other joints of its bodies are left out too, and so on through the group.
@@ -179,6 +180,24 @@ class Joints : public Check {
 
     static bool is_pushed(const Moment& moment, int body) {
         return body != the_world && moment.after[std::size_t(body)].deepest > 2 * slack;
+    }
+    /// True if something fixed or kinematic is in the way of a body that a rod, a rope or the end
+    /// of a slide pulls: such joints yield to obstacles.
+    static bool is_obstructed(const Moment& moment, const JointPlan& joint, const Anchors& at) {
+        if (joint.type == JointType::revolute || joint.type == JointType::weld) return false;
+        constexpr float least = 0.3f;            // of the normal along the pull
+        Vec2 pull = (at.a - at.b).normalized();  // on b
+        // A rod that is too short pushes.
+        if (joint.type == JointType::distance &&
+            (at.a - at.b).length() < joint.number("set_length", 1))
+            pull = -pull;
+        const auto holds = [&](int body, const Vec2& way) {
+            return body != the_world && std::ranges::any_of(moment.after[std::size_t(body)].held_by,
+                                                            [&](const Vec2& normal) {
+                                                                return normal.dot(way) < -least;
+                                                            });
+        };
+        return holds(joint.b, pull) || holds(joint.a, -pull);
     }
     static float size_of(const WorldPlan& plan, const JointPlan& joint) {
         float size = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fettle::bench::wild {
 namespace {
@@ -46,6 +47,8 @@ std::optional<Gap> gap_of(const JointPlan& joint, const std::vector<BodyNow>& bo
     const Anchors at = anchors_of(joint, bodies);
     const float apart = (at.b - at.a).length();
     const float angle = b.angle - a.angle - joint.number("set_reference_angle", 0);
+    // A joint that holds the angle does not count whole turns.
+    const float held = std::abs(std::remainder(angle, 2 * std::numbers::pi_v<float>));
     switch (joint.type) {
         case JointType::distance: {
             const bool rod = std::isinf(joint.number("set_hertz", infinity));
@@ -59,10 +62,10 @@ std::optional<Gap> gap_of(const JointPlan& joint, const std::vector<BodyNow>& bo
         case JointType::weld:
             return Gap{
                 std::isinf(joint.number("set_hertz", infinity)) ? apart : 0,
-                std::isinf(joint.number("set_angular_hertz", infinity)) ? std::abs(angle) : 0};
+                std::isinf(joint.number("set_angular_hertz", infinity)) ? held : 0};
         case JointType::prismatic: {
             Gap gap = rail(joint, at, a.angle, {1, 0});
-            gap.angle = std::abs(angle);
+            gap.angle = held;
             return gap;
         }
         case JointType::pin_slot:

@@ -210,6 +210,10 @@ bool touches_others(const Moment& moment, int body, int obstacle) {
 bool is_near_other_fixed(const Moment& moment, int body, int obstacle) {
     const BodyNow& now = moment.after[std::size_t(body)];
     const float reach = reach_of(moment.plan.bodies[std::size_t(body)]) + 0.1f;
+    if (const auto& bounds = moment.plan.def.bounds;
+        bounds && ((now.position - bounds->min).smallest() < reach ||
+                   (bounds->max - now.position).smallest() < reach))
+        return true;
     for (std::size_t o = 0; o < moment.after.size(); ++o) {
         const BodyNow& other = moment.after[o];
         if (!other.exists || int(o) == obstacle || other.type == BodyType::dynamic_body) continue;

@@ -55,8 +55,8 @@ class Passages {
 /// Whether a body touches anything else than this obstacle: then it may be pressed through.
 bool touches_others(const Moment& moment, int body, int obstacle);
 
-/// Whether another static or kinematic body is within reach of a body: the two may have pressed it
-/// within one step, before there was a contact with the other one.
+/// Whether another static or kinematic body, or the border, is within reach of a body: the two may
+/// have pressed it within one step, before there was a contact with the other one.
 bool is_near_other_fixed(const Moment& moment, int body, int obstacle);
 
 }  // namespace fettle::bench::wild

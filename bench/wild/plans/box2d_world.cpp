@@ -190,6 +190,9 @@ class Box2dWorld : public RunningWorld {
                 if (of == the_world) continue;
                 BodyNow& body = bodies[std::size_t(of)];
                 body.touched.push_back(other);
+                const float sign = of == first ? -1.0f : 1.0f;
+                if (other == the_world || bodies[std::size_t(other)].type != BodyType::dynamic_body)
+                    body.held_by.push_back(sign * vec(manifold.normal));
                 for (int k = 0; k < c->GetManifold()->pointCount; ++k)
                     body.deepest = std::max(body.deepest, -manifold.separations[k]);
             }

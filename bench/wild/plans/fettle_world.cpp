@@ -129,10 +129,13 @@ void FettleWorld::read(std::vector<BodyNow>& bodies) const {
                      .inertia = body.inertia(),
                      .gravity_scale = body.gravity_scale()};
     }
-    const auto touch = [&](BodyId id, BodyId other, float overlap, float force) {
+    const auto touch = [&](BodyId id, BodyId other_id, float overlap, float force, Vec2 normal) {
         if (index_of[id.index] == the_world) return;
         BodyNow& body = bodies[std::size_t(index_of[id.index])];
-        body.touched.push_back(index_of[other.index]);
+        const int other = index_of[other_id.index];
+        body.touched.push_back(other);
+        if (other == the_world || bodies[std::size_t(other)].type != BodyType::dynamic_body)
+            body.held_by.push_back(normal);
         body.deepest = std::max(body.deepest, overlap);
         body.load += force;
     };
@@ -140,8 +143,8 @@ void FettleWorld::read(std::vector<BodyNow>& bodies) const {
         float overlap = 0;
         for (int k = 0; k < contact.point_count; ++k)
             overlap = std::max(overlap, -contact.points[std::size_t(k)].separation);
-        touch(contact.body_a, contact.body_b, overlap, contact.normal_force);
-        touch(contact.body_b, contact.body_a, overlap, contact.normal_force);
+        touch(contact.body_a, contact.body_b, overlap, contact.normal_force, -contact.normal);
+        touch(contact.body_b, contact.body_a, overlap, contact.normal_force, contact.normal);
     }
 }
 

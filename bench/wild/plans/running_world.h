@@ -23,9 +23,10 @@ struct BodyNow {
     float mass = 0;
     float inertia = 0;
     float gravity_scale = 1;
-    float deepest = 0;           // overlap with what it touches, m
-    float load = 0;              // forces of all contacts together, N; 0 in another engine
-    std::vector<int> touched{};  // bodies, or `the_world`; sensors do not count
+    float deepest = 0;            // overlap with what it touches, m
+    float load = 0;               // forces of all contacts together, N; 0 in another engine
+    std::vector<int> touched{};   // bodies, or `the_world`; sensors do not count
+    std::vector<Vec2> held_by{};  // normals, towards it, of its contacts with what is not dynamic
 
     bool touching() const { return !touched.empty(); }
 
