@@ -86,6 +86,14 @@ struct JointEnds {
     float angle_now(const SolverBody& body_a, const SolverBody& body_b) const {
         return angle + (body_b.turn - body_a.turn);
     }
+    /// The angle that a joint holds: its reference, or whole turns from it, whichever is within
+    /// half a turn of the angle at the start of the step. What turned about itself while the joint
+    /// did not act need not turn all the way back.
+    float nearest(float reference) const {
+        const float error = angle - reference;
+        if (std::abs(error) <= 0.5f * two_pi<float>) return reference;
+        return angle - std::remainder(error, two_pi<float>);
+    }
     /// Velocity of anchor b relative to anchor a.
     Vec2 velocity(const SolverBody& body_a, const SolverBody& body_b) const {
         return (body_b.velocity + cross(body_b.angular_velocity, lever_b)) -

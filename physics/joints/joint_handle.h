@@ -115,6 +115,12 @@ Settings& Joint::edit(const char* of, const char* function) const {
     float Of##Joint::angle() const {                          \
         return angle_between(*this) - reference_angle();      \
     }
+// The same for a joint that holds the angle: whole turns do not count.
+#define FETTLE_JOINT_HELD_ANGLE(Of)                                                     \
+    FETTLE_JOINT_NUMBER(Of, reference_angle, reference_angle)                           \
+    float Of##Joint::angle() const {                                                    \
+        return std::remainder(angle_between(*this) - reference_angle(), two_pi<float>); \
+    }
 // Defines World::create_..._joint. A function `define(settings, def)` in the file of the type
 // writes the settings of a definition; `begin` measures what it leaves open, on the new `joint`.
 #define FETTLE_CREATE_JOINT(Of, function, begin)                                 \

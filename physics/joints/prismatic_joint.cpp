@@ -46,7 +46,7 @@ struct PrismaticConstraint {
     }
     void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
-        reference = settings.reference_angle;
+        reference = ends.nearest(settings.reference_angle);
         rail.prepare(settings.rail, impulses.rail, ends, frame, step, a, b);
     }
     void warm_start(SolverBody& a, SolverBody& b) const {
@@ -116,7 +116,7 @@ using namespace detail;
 
 FETTLE_RAIL(Prismatic)
 FETTLE_RAIL_MOTOR(Prismatic)
-FETTLE_JOINT_ANGLE(Prismatic)
+FETTLE_JOINT_HELD_ANGLE(Prismatic)
 
 namespace {
 

@@ -55,7 +55,7 @@ struct WeldConstraint {
     bool holds_point() const { return rigid_point; }
     void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
-        reference = settings.reference_angle;
+        reference = ends.nearest(settings.reference_angle);
         angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
         rigid_point = settings.point.is_rigid();
         rigid_angle = settings.angle.is_rigid();
@@ -162,7 +162,7 @@ constinit const JointKind weld_joint = JointFunctions<WeldConstraint>::kind("wel
 
 using namespace detail;
 
-FETTLE_JOINT_ANGLE(Weld)
+FETTLE_JOINT_HELD_ANGLE(Weld)
 FETTLE_JOINT_NUMBER(Weld, hertz, point.hertz)
 FETTLE_JOINT_NUMBER(Weld, damping_ratio, point.damping_ratio)
 FETTLE_JOINT_NUMBER(Weld, angular_hertz, angle.hertz)

@@ -9,19 +9,26 @@ namespace {
 constexpr float obstructed_gap = 0.01f;
 /// Contacts bear at least this part of the pull.
 constexpr float least_borne = 0.5f;
+/// A contact bears the pull if it is against it, with this cosine at least, and overlaps by more
+/// than `obstructed_gap`: its impulse may be missing, since a body that was thrown keeps none.
+constexpr float against = 0.7f;
 
-/// The impulse with which contacts with bodies that are not dynamic push a body along `direction`.
-float held_back(const ObjectState& objects, uint32_t body, Vec2 direction) {
-    float impulse = 0.0f;
+/// True if contacts with bodies that are not dynamic push a body along `direction`, with half of
+/// `impulse` at least.
+bool is_held_back(const ObjectState& objects, uint32_t body, Vec2 direction, float impulse) {
+    float borne = 0.0f;
     objects.for_each_contact(body, [&](uint32_t contact) {
         const ContactRecord& c = objects.contacts[contact];
         const Mobility other = objects.bodies[objects.other_body(contact, body)].mobility;
         if (!c.acts() || other == Mobility::dynamic) return;
         const float along = dot(c.manifold.normal, direction) * (c.body_b == body ? 1.0f : -1.0f);
-        for (int k = 0; k < c.manifold.count; ++k)
-            impulse += max(along, 0.0f) * c.manifold.points[k].normal_impulse;
+        for (int k = 0; k < c.manifold.count; ++k) {
+            const ManifoldPoint& point = c.manifold.points[k];
+            borne += max(along, 0.0f) * point.normal_impulse;
+            if (along > against && point.separation < -obstructed_gap) borne = infinity;
+        }
     });
-    return impulse;
+    return borne > least_borne * impulse;
 }
 
 bool is_obstructed(const ObjectState& objects, const JointRecord& joint, float h) {
@@ -33,7 +40,7 @@ bool is_obstructed(const ObjectState& objects, const JointRecord& joint, float h
         if (record.mobility != Mobility::dynamic || record.lists.first_contact == none) continue;
         // The joint pulls body b along its force, and body a against it.
         const Vec2 back = ((side == 0 ? 1.0f : -1.0f) / pull) * joint.force;
-        if (held_back(objects, body, back) > least_borne * h * pull) return true;
+        if (is_held_back(objects, body, back, h * pull)) return true;
     }
     return false;
 }

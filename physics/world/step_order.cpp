@@ -12,6 +12,7 @@
 #include <state/member_list.h>
 #include <step/finish.h>
 #include <step/gather.h>
+#include <step/sunk_bodies.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -202,6 +203,7 @@ void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_st
         limit_strained(input, columns(), pressed, sub.h);
     }
     pressed.resize(jammed);
+    hold_sunk(objects(), columns(), settings, contact_scratch(), body_scratch());
     end_sums(input, columns());
 }
 

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "catch.h"
 #include "scenes.h"
 
@@ -147,6 +151,39 @@ TEST_CASE("a joint between bodies that are meters apart soon holds them together
         CHECK(joint.body_a().velocity().length() < 0.01f);
         CHECK(joint.body_b().velocity().length() < 0.01f);
     }
+}
+
+// A body that made whole turns while its joint did not act need not make them all back.
+TEST_CASE("a joint that holds an angle counts no whole turns") {
+    const float turned = GENERATE(0.5f, 3.0f, 6.0f, -20.0f, 60.0f);
+    const bool soft = GENERATE(false, true);
+    World world({.gravity = {0, 0}});
+    Body welded = add_box(world, {0, 0}), sliding = add_box(world, {9, 0});
+    WeldJoint weld =
+        world.create_weld_joint({.body_b = welded.id(), .anchor_b = {0.2f, 0}, .enabled = false});
+    PrismaticJoint rail = world.create_prismatic_joint(
+        {.body_b = sliding.id(), .anchor_a = {9, 0}, .enabled = false, .axis = {0, 1}});
+    if (soft) {
+        weld.set_angular_hertz(3);
+        weld.set_angular_damping_ratio(1);
+    }
+    weld.set_reference_angle(0);
+    rail.set_reference_angle(0);
+    welded.set_angle(turned);
+    sliding.set_angle(turned);
+    const float nearest = turned - std::remainder(turned, 2 * std::numbers::pi_v<float>);
+    weld.set_enabled(true);
+    rail.set_enabled(true);
+    float fastest = 0;
+    for (int i = 0; i < 120; ++i) {
+        world.step(frame);
+        fastest = std::max(fastest, std::abs(welded.angular_velocity()));
+    }
+    CHECK(fastest < 50);
+    CHECK(welded.angle() == Approx(nearest).margin(0.02));
+    CHECK(sliding.angle() == Approx(nearest).margin(0.02));
+    CHECK(std::abs(weld.angle()) < 0.02f);
+    CHECK(std::abs(rail.angle()) < 0.02f);
 }
 
 }  // namespace joint_test

@@ -14,7 +14,9 @@ class WeldJoint : public Joint {
   public:
     using Joint::Joint;
 
-    float angle() const;  ///< rad, of b relative to a, minus the reference angle: held at 0
+    /// rad, of b relative to a, minus the reference angle: held at 0. Whole turns do not count, so it
+    /// is within half a turn.
+    float angle() const;
     float reference_angle() const;  ///< rad, finite: angle of b relative to a that counts as 0
     void set_reference_angle(float angle);
     float hertz() const;  ///< stiffness at the point; infinity (the default): rigid; 0: not held
