@@ -110,8 +110,17 @@ struct Motor {
     /// Its speed, but not beyond a limit. If the motor were as fast there, the limit would have to
     /// hold its whole force, and would yield.
     float speed_within(const Limits& limits, float position, float inverse_h) const {
-        return clamp(speed, min((limits.lower - position) * inverse_h, 0.0f),
-                     max((limits.upper - position) * inverse_h, 0.0f));
+        return clamp(speed, min(-approach((position - limits.lower) * inverse_h), 0.0f),
+                     max(approach((limits.upper - position) * inverse_h), 0.0f));
+    }
+
+  private:
+    /// The speed towards a limit that would be reached in a sub-step with the speed `left`. A motor
+    /// that is slow already needs longer: if it closed the last rest of the way in each sub-step,
+    /// arms of several motors at their limits would tremble.
+    static float approach(float left) {
+        constexpr float slow = 2.0f, least = 0.05f;  // m/s or rad/s, and a part of `left`
+        return left * clamp(left * (1.0f / slow), least, 1.0f);
     }
 };
 

@@ -159,4 +159,28 @@ TEST_CASE(
     }
 }
 
+// The limits, the pins and the motor of an arm of two parts are solved one after the other.
+TEST_CASE("an arm whose elbow motor presses against its limit comes to rest") {
+    const float rate = GENERATE(30.0f, 60.0f, 144.0f);
+    const float torque = GENERATE(20.0f, 40.0f, 300.0f);
+    World world;
+    Body upper = world.create_body({.position = {0.5f, 0}}),
+         fore = world.create_body({.position = {1.5f, 0}});
+    for (Body part : {upper, fore}) part.add(Box{.width = 1, .height = 0.2f}, {.density = 5});
+    world.create_revolute_joint(
+        {.body_b = upper.id(), .anchor_b = {-0.5f, 0}, .lower_angle = -0.5f, .upper_angle = 0.5f});
+    const RevoluteJoint elbow = world.create_revolute_joint({.body_a = upper.id(),
+                                                             .body_b = fore.id(),
+                                                             .anchor_a = {0.5f, 0},
+                                                             .anchor_b = {-0.5f, 0},
+                                                             .lower_angle = -0.2f,
+                                                             .upper_angle = 0.2f,
+                                                             .motor_speed = 2,
+                                                             .max_motor_torque = torque});
+    for (int i = 0; i < int(10 * rate); ++i) world.step(1 / rate);
+    CHECK_FALSE(fore.awake());
+    CHECK(elbow.angle() == Approx(0.2).margin(0.002));
+    CHECK(elbow.force().length() == Approx(fore.mass() * 10).epsilon(0.02));
+}
+
 }  // namespace revolute_joint_test
