@@ -399,7 +399,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
         MeetingPoints meeting(*impact, extra, a, b, fa, fb, substeps, dt, restitution_threshold,
                               jointed);
         if (!meeting.any()) continue;
-        if (!jointed && extra.restitution >= least_worth) {
+        if (!jointed && extra.restitution > 0.0f) {
             impacts.push_back(PairImpact(i, met, extra, meeting, a, b));
             // Also if it is left out of this pass: the next one looks at it again.
             mark(c.a);
