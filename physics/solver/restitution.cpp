@@ -400,7 +400,7 @@ bool ContactSolver::bounce(int substeps, uint8_t pass, const Bounced& bounced,
                               jointed);
         if (!meeting.any()) continue;
         if (!jointed && extra.restitution > 0.0f) {
-            impacts.push_back(PairImpact(i, met, extra, meeting, a, b));
+            impacts.emplace_back(i, met, extra, meeting, a, b);
             // Also if it is left out of this pass: the next one looks at it again.
             mark(c.a);
             mark(c.b);
