@@ -110,6 +110,11 @@ void collide_circle(const OutlinePiece& a, Vec2 center, float radius, Vec2 offse
         one_point(center - gap * n, n, gap, radius, offset, margin, feature_of(edge, 254), m);
         return;
     }
+    if (!hidden && in_front && axes.outer.separation > radius && a.is_before_hollow(edge, center)) {
+        const float gap = axes.outer.separation;
+        one_point(center - gap * n, n, gap, radius, offset, margin, feature_of(edge, 254), m);
+        return;
+    }
     // Beyond the ends of an edge, the nearest vertex counts if it is a corner of the outline and
     // belongs to this piece.
     int vertex = 0;

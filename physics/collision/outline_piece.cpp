@@ -1,7 +1,12 @@
 #include <collision/outline_piece.h>
 
+#include <cmath>
+
 namespace fettle::physics::detail {
 namespace {
+
+/// A shape may pass several short edges of a hollow in a step, m.
+constexpr float hollow_reach = 0.5f;
 
 bool is_zero(Vec2 v) {
     return v.x == 0.0f && v.y == 0.0f;
@@ -27,6 +32,23 @@ OutlinePiece::Verdict OutlinePiece::decide(int vertex, Vec2 direction) const {
 
 bool OutlinePiece::continues(int vertex) const {
     return !is_zero(limits_[2 * vertex]) && !is_zero(limits_[2 * vertex + 1]);
+}
+
+bool OutlinePiece::is_before_hollow(int edge, Vec2 point) const {
+    const int next = edge + 1 < form.count ? edge + 1 : 0;
+    const Vec2 along = form.vertices[next] - form.vertices[edge];
+    const float past_begin = dot(point - form.vertices[edge], along),
+                past_end = dot(point - form.vertices[next], along);
+    const bool before = past_begin < 0.0f;
+    if (!before && !(past_end > 0.0f)) return false;
+    const float squared = length_squared(along);
+    if ((before ? -past_begin : past_end) > max(squared, hollow_reach * std::sqrt(squared)))
+        return false;
+    const int vertex = before ? edge : next;
+    const Vec2 first = limits_[2 * vertex], second = limits_[2 * vertex + 1];
+    if (!(cross(first, second) < -flat_angle)) return false;
+    const Vec2 normal = rotate(rotation_, before ? first : second);
+    return dot(normal, point - form.vertices[vertex]) > 0.0f;
 }
 
 int OutlinePiece::edge_at(int vertex, Vec2 direction) const {
