@@ -2,6 +2,7 @@
 
 #include <box2d/box2d.h>
 
+#include <stdexcept>
 #include <vector>
 
 #include "engines/engine.h"

@@ -35,8 +35,7 @@ class Surveyor {
         const bool peer_ran = options_.box2d && try_in_peer(plan, peer);
         survey.peer_worlds += peer_ran;
         for (const Finding& finding : peer.findings) survey.peer_findings.push_back(finding);
-        // The times of single worlds differ by chance; twice the time and a second more is no
-        // chance.
+        // The time of one world varies by chance, but hardly by a factor of two and a second.
         if (peer_ran && can_rest(plan) && result.awake > 2 * peer.awake + 1)
             add(survey, {seed,
                          {"slower to rest", plan.steps,

@@ -8,11 +8,12 @@
 #ifdef FETTLE_HOST_WRAPS_STREAMS
 
 extern "C" {
-// The linker makes these names. NOLINTBEGIN(bugprone-reserved-identifier)
+// The linker makes these names.
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 extern std::FILE *__real_stdin, *__real_stdout, *__real_stderr;
 std::FILE *__wrap_stdin = __real_stdin, *__wrap_stdout = __real_stdout,
           *__wrap_stderr = __real_stderr;
-// NOLINTEND(bugprone-reserved-identifier)
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 }
 
 #endif

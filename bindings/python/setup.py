@@ -1,5 +1,5 @@
-"""pip install bindings/python: with FETTLE_LIBRARY, the path of libfettle_physics_c.so, it is copied into the package;
-otherwise it is looked for where the system looks for libraries."""
+"""Builds the package for `pip install bindings/python`. If FETTLE_LIBRARY is the path of libfettle_physics_c.so, the package
+contains a copy of that library. Otherwise the system searches for the library when the package is imported."""
 
 import os
 import pathlib

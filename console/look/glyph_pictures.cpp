@@ -143,7 +143,7 @@ std::optional<GlyphPictures::Picture> GlyphPictures::draw(char32_t character, fl
     }
     const FT_Face face = faces().with(character);
     if (face == nullptr) return std::nullopt;
-    // As Dear ImGui, from the highest to the lowest letters.
+    // `size` is the height from the ascender to the descender, as in Dear ImGui.
     FT_Size_RequestRec request{FT_SIZE_REQUEST_TYPE_REAL_DIM, 0, std::lround(size * 64), 0, 0};
     if ((FT_IS_SCALABLE(face) ? FT_Request_Size(face, &request) : FT_Select_Size(face, 0)) != 0 ||
         FT_Load_Char(face, character, FT_LOAD_RENDER | FT_LOAD_COLOR) != 0)

@@ -1,9 +1,22 @@
 #pragma once
 // The clock `time` of the observed game.
 
+#include <cstdint>
+
 #include <observed/last_value.h>
 
 namespace fettle::console {
+
+/// Where the game is in the past that it stores.
+struct GameTimes {
+    std::int64_t step = 0, oldest = 0, newest = 0;
+    std::int64_t end = 0;  // the last step of all branches
+    double dt = 0;
+    bool paused = false;
+    bool halted = false;  // by an error
+    bool stands() const { return paused || halted; }
+    bool in_past() const { return step < newest; }
+};
 
 /// The last value of a property of the clock `time`; nil if there is none.
 inline property::Value time_value(const property::Tree& tree, const char* name) {

@@ -8,6 +8,7 @@
 
 #include <observed/game_time.h>
 #include <panel/state.h>
+#include <text/utf8.h>
 
 namespace fettle::console {
 

@@ -1,4 +1,3 @@
-#include <observed/game_time.h>
 #include <views/time_bar.h>
 
 #include <algorithm>
@@ -61,61 +60,14 @@ TimeBar::Times TimeBar::times() const {
 }
 
 std::string TimeBar::play_back(double seconds) {
-    const Times now = times();
-    if (now.newest <= now.oldest) return "there is no past to play";
-    to_play_ = seconds;
-    const std::int64_t from = first_to_play(now, seconds);
-    return "the window plays steps " + std::to_string(from) + " to " + std::to_string(now.newest) +
-           (now.paused ? "; then the game is paused, as it was" : "; then the game goes on") +
-           ". An edit meanwhile ends it";
-}
-
-std::int64_t TimeBar::first_to_play(const Times& now, double seconds) {
-    if (now.in_past()) return now.step;
-    const double steps = std::min(seconds / now.dt, static_cast<double>(now.newest));
-    return std::max(now.oldest, now.newest - static_cast<std::int64_t>(std::llround(steps)));
-}
-
-void TimeBar::begin_playing(const Times& now) {
-    const double seconds = *std::exchange(to_play_, std::nullopt);
-    const std::int64_t from = first_to_play(now, seconds);
-    playing_ = true;
-    goes_on_ = !now.paused;
-    played_to_ = static_cast<double>(from);
-    edited_ = tree_.history_bytes_ever();
-    go_to(from);
-}
-
-void TimeBar::stop_playing() {
-    playing_ = false;
-    to_play_.reset();
-}
-
-void TimeBar::end_at_edit(const Times& now) {
-    stop_playing();
-    if (!now.in_past() || !note) return;
-    note("playing back ends at step " + std::to_string(now.step) +
-         ": an edit was made here. When the game goes on, what came later becomes another branch");
+    return playing_back_.request(times(), seconds);
 }
 
 void TimeBar::play_on(bool drags) {
-    const Value real = value("real");
-    const double now_real = real.is(Type::number) ? real.number() : 0;
-    const double seconds = now_real - std::exchange(real_, now_real);
     const Times now = times();
-    if (to_play_) return begin_playing(now);
-    if (!playing_) return;
-    if (!now.paused) return stop_playing();
-    if (drags || tree_.history_bytes_ever() != edited_) return end_at_edit(now);
-    if (played_to_ >= static_cast<double>(now.newest)) {
-        if (now.in_past()) return;  // the last step is shown from the next barrier on
-        stop_playing();
-        if (goes_on_) set_time_flag(tree_, "paused", false);
-        return;
-    }
-    played_to_ =
-        std::min(played_to_ + std::max(0.0, seconds) / now.dt, static_cast<double>(now.newest));
-    go_to(static_cast<std::int64_t>(played_to_));
+    if (!playing_back_.play_on(now, drags) || !now.in_past() || !note) return;
+    note("playing back ends at step " + std::to_string(now.step) +
+         ": an edit was made here. When the game goes on, what came later becomes another branch");
 }
 
 /// The marks are those of the present branch.
@@ -242,7 +194,7 @@ void TimeBar::draw_play(const Times& now) {
                           : "pause");
     if (!pressed) return;
     requested_ = -1;
-    stop_playing();
+    playing_back_.stop();
     if (now.halted && resume) {
         resume();
         return set_time_flag(tree_, "paused", false);
@@ -290,7 +242,7 @@ void TimeBar::draw_play_back(const Times& now) {
                             : "play the whole past again, as it was");
     if (!pressed) return;
     if (plays_back())
-        stop_playing();
+        playing_back_.stop();
     else
         play_back(static_cast<double>(now.newest - now.oldest) * now.dt);
 }
@@ -320,7 +272,7 @@ void TimeBar::draw_track(const Times& now, float width) {
     const TimeMark* const mark = hovered || held ? mark_at(now, mouse) : nullptr;
     const std::int64_t under = mark != nullptr ? step_of(now, *mark) : step_at(now, mouse);
     if (held) {
-        stop_playing();
+        playing_back_.stop();
         go_to(under);
     }
     if (!held && requested_ == now.step) requested_ = -1;

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +17,7 @@
 #include <look/rect.h>
 #include <observed/branches.h>
 #include <observed/time_marks.h>
+#include <views/playing_back.h>
 
 namespace fettle::console {
 
@@ -25,6 +25,7 @@ class TimeBar {
   public:
     TimeBar(property::Tree& tree, const Interpreter& interpreter, TimeMarks& marks)
         : tree_(tree), interpreter_(interpreter), marks_(marks) {}
+    TimeBar(const TimeBar&) = delete;
 
     /// Runs a command as if it were typed; and puts text into the prompt, with the cursor between
     /// the two parts.
@@ -39,15 +40,7 @@ class TimeBar {
     /// Whether the run is being recorded into a file; without this function there is no button.
     std::function<bool()> records{};
 
-    struct Times {
-        std::int64_t step = 0, oldest = 0, newest = 0;
-        std::int64_t end = 0;  // the last step of all branches
-        double dt = 0;
-        bool paused = false;
-        bool halted = false;  // by an error
-        bool stands() const { return paused || halted; }
-        bool in_past() const { return step < newest; }
-    };
+    using Times = GameTimes;
     Times times() const;
 
     /// Whether the game stores its past.
@@ -61,15 +54,11 @@ class TimeBar {
     void hide() { rect_ = {}; }
     /// Pauses the game and goes to a step. If the past does not contain it, nothing changes.
     void go_to(std::int64_t step);
-    /// Plays the last seconds up to the newest step; in the past, the steps after the present one.
-    /// At the newest step the game goes on, unless it was paused before. Begins with the next
-    /// `play_on`, so that a command that calls this function changes nothing itself.
-    /// Returns what is played, for a person who does not see it.
+    /// As `PlayingBack::request`.
     std::string play_back(double seconds);
-    /// Call before each frame: goes on with playing back. An edit by a person ends it, because
-    /// going to the next step would take the edit back. `drags`: such an edit is under way.
+    /// Call before each frame: goes on with playing back. `drags`: an edit is under way.
     void play_on(bool drags);
-    bool plays_back() const { return playing_ || to_play_; }
+    bool plays_back() const { return playing_back_.is_running(); }
 
     // Rectangles of the parts, for tests.
     const Rect& track() const { return track_; }
@@ -117,18 +106,8 @@ class TimeBar {
     std::string menu_of_;  // the branch whose menu is open
     bool opens_menu_ = false;
     std::vector<std::pair<std::string, Rect>> entries_;  // of the menu, as it was drawn last
-    static std::int64_t first_to_play(const Times& now, double seconds);
-    void begin_playing(const Times& now);
-    void stop_playing();
-    void end_at_edit(const Times& now);
-
-    std::optional<double> to_play_;  // seconds: playing back begins with the next frame
-    bool playing_ = false;
-    bool goes_on_ = false;    // the game ran when playing back began
-    std::size_t edited_ = 0;  // bytes of all edits when playing back began
-    double real_ = 0;         // real time at the last `play_on`, s
     float tip_room_ = 0;
-    double played_to_ = 0;  // step, with the part of the next one
+    PlayingBack playing_back_{tree_, [this](std::int64_t step) { go_to(step); }};
 };
 
 }  // namespace fettle::console

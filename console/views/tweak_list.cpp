@@ -13,7 +13,7 @@ namespace fettle::console {
 
 namespace {
 
-constexpr double patience = 0.25;  // seconds until the list is read again
+constexpr double refresh_interval = 0.25;  // seconds until the list is read again
 
 std::string when(const property::Tweak& tweak) {
     const auto time = static_cast<std::time_t>(tweak.time);
@@ -52,7 +52,8 @@ void fitted(ImU32 color, const std::string& text, float width, Draw draw = draw_
 
 void TweakList::refresh(bool now) {
     const double time = ImGui::GetTime();
-    if (!now && refreshed_ >= 0 && time - refreshed_ < patience && time >= refreshed_) return;
+    if (!now && refreshed_ >= 0 && time - refreshed_ < refresh_interval && time >= refreshed_)
+        return;
     refreshed_ = time;
     std::vector<Tweak> all = tweaks_->list();
     if (!hovered_) {
@@ -60,7 +61,7 @@ void TweakList::refresh(bool now) {
         rows_ = std::move(all);
         return;
     }
-    // The rows stay in their places, so that a second click does not hit what has moved there.
+    // The rows keep their places, so that a second click does not hit another row.
     gone_.resize(rows_.size());
     for (std::size_t row = 0; row < rows_.size(); ++row) {
         Tweak& shown = rows_[row];

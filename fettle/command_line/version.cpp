@@ -1,6 +1,7 @@
 #include <command_line/version.h>
 
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include <fettle/module/abi.h>

@@ -1,4 +1,5 @@
 #include <fettle/maps/map.h>
+#include <fettle/property/error.h>
 
 #include <filesystem>
 #include <set>

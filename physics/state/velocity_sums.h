@@ -19,25 +19,23 @@ struct VelocitySums {
         Vec2 impulse = {};
         float twist = 0.0f;     ///< angular impulse about the center of mass
         float counted[2] = {};  ///< normal impulses of its points, in `impulse`
-        /// Of a contact of curved surfaces after the biased pass of the sub-step: its levers change
-        /// then. Impulses along the normal and the tangent, and what they did.
-        Vec2 biased = {};
-        Vec2 biased_impulse = {};
-        float biased_twist = 0.0f;
+        // Of a contact of curved surfaces, whose levers change after the biased pass of a sub-step:
+        Vec2 biased = {};           ///< impulses of that pass along the normal and the tangent
+        Vec2 biased_impulse = {};   ///< their sum in the world
+        float biased_twist = 0.0f;  ///< their angular impulse
     };
     struct OfJoint {
         uint32_t slot = 0;
         JointId joint{};
         Vec2 impulse{};
         float twist = 0.0f;
-        /// Of the sub-step so far, and the impulses of the joint that are in it: its levers change
-        /// within the sub-step.
-        decltype(JointRecord::impulses) known{};
+        // Of the sub-step so far. The levers change within it, so each pass is added at once:
+        decltype(JointRecord::impulses) known{};  ///< the impulses that are already added
         Vec2 now_impulse = {};
         float now_twist = 0.0f;
         float now_moment = 0.0f;  ///< the greatest push times its lever
     };
-    /// The same as for the velocity, for the angular velocity.
+    /// The same for the angular velocity.
     struct OfTurn {
         float inverse_inertia = 0.0f;  ///< 0 if the rotation is locked
         float earlier = 0.0f, before = 0.0f, after = 0.0f, last = 0.0f;
@@ -50,8 +48,10 @@ struct VelocitySums {
     uint32_t solver_body = 0;  ///< 0: it took no part in the step
     uint32_t block = 0;        ///< of the solver
     Vec2 inverse_mass = {};    ///< 0 along a locked axis
-    Vec2 earlier = {}, before = {}, after = {};
-    Vec2 last = {};  ///< velocity at the end of the last sub-step
+    Vec2 earlier = {};         ///< velocity at the end of the step before
+    Vec2 before = {};          ///< at the beginning of this step: edits may have changed it
+    Vec2 after = {};           ///< at the end of this step
+    Vec2 last = {};            ///< at the end of the last sub-step
     /// The share of the step after an impact that ended the motion of the body: forces do not act
     /// in it.
     float without_forces = 0.0f;

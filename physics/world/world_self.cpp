@@ -1,6 +1,7 @@
 #include <fettle/physics/locked.h>
 #include <world/world_data.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 

@@ -1,7 +1,8 @@
-// Checks the map of the project in the documents: the paths and rooms that it names.
+// Checks the map of the project in the documents: the paths, functions and rooms that it names.
 
 #include <algorithm>
 #include <regex>
+#include <string_view>
 
 #include "rules.h"
 
@@ -15,6 +16,12 @@ bool is_path(const std::string& code) {
     return code.find_first_of(" <>*()") == std::string::npos &&
            std::ranges::any_of(folders_of_parts,
                                [&](std::string_view part) { return code.starts_with(part); });
+}
+
+bool mentions(const SourceFile& file, const std::string& name) {
+    const std::regex word("\\b" + name + "\\b");
+    return std::ranges::any_of(
+        file.lines, [&](const std::string& line) { return std::regex_search(line, word); });
 }
 
 bool exists(const SourceTree& tree, std::string path) {
@@ -35,6 +42,22 @@ Violations lost_paths(const SourceTree& tree, const std::string& text) {
     for (std::sregex_iterator each(text.begin(), text.end(), code), end; each != end; ++each)
         if (const std::string path = (*each)[1]; is_path(path) && !exists(tree, path))
             found.push_back(path + ": there is no such file or folder");
+    return found;
+}
+
+Violations lost_functions(const SourceTree& tree, const std::string& text) {
+    // One name or several, and a path in brackets: "`find_pairs` and `collide` (`physics/a.cpp`)".
+    static const std::regex place("((?:`[\\w:]+`(?:,| and| or)?\\s+)+)\\(`([^`\\n]+)`\\)");
+    static const std::regex name("(\\w+)`");  // without its class
+    Violations found;
+    for (std::sregex_iterator each(text.begin(), text.end(), place), end; each != end; ++each) {
+        const auto file = tree.files().find((*each)[2]);
+        if (file == tree.files().end()) continue;  // a lost path
+        const std::string names = (*each)[1];
+        for (std::sregex_iterator one(names.begin(), names.end(), name); one != end; ++one)
+            if (!mentions(file->second, (*one)[1]))
+                found.push_back(file->first + ": " + (*one)[1].str() + " is not in it");
+    }
     return found;
 }
 

@@ -102,7 +102,7 @@ const std::vector<DividedPart>& divided_parts() {
              {"shapes", {"hosting", "bindings", "drawing", "events"}},
              {"joints", {"hosting", "bindings"}},
              {"fields", {"hosting", "bindings"}},
-             {"movers", {"hosting", "bindings", "drawing", "events", "bodies"}},
+             {"movers", {"hosting", "bindings", "drawing", "events"}},
              {"worlds", {"hosting", "bindings", "drawing", "events"}},
              {"saving", {"hosting"}},
          }},

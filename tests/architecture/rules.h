@@ -29,6 +29,10 @@ std::vector<std::string> folders_of_rooms();
 /// Every path between backticks in a text exists, as a file or as a folder of files.
 Violations lost_paths(const SourceTree& tree, const std::string& text);
 
+/// A function whose file follows in brackets, "`collide` (`physics/collision/collide.cpp`)", is in
+/// that file.
+Violations lost_functions(const SourceTree& tree, const std::string& text);
+
 /// Every room has a line in the text.
 Violations rooms_without_line(const std::string& text);
 

@@ -53,15 +53,18 @@ TEST_CASE("a room of a part includes only the rooms that it may include") {
     CHECK(listed(forbidden_rooms(project())) == "");
 }
 
-TEST_CASE("the map of the project names every room and only existing paths") {
+TEST_CASE("the map of the project names every room and only existing paths and functions") {
     const std::string map = text_of("docs/design/architecture.md");
     CHECK(listed(lost_paths(project(), map)) == "");
+    CHECK(listed(lost_functions(project(), map)) == "");
     CHECK(listed(rooms_without_line(map)) == "");
     for (const char* page :
          {"app", "console", "glossary", "hosting-physics", "interface", "physics", "property-tree",
-          "scenes", "scripting", "solvers", "storage", "testing", "time", "visuals"})
-        CHECK(listed(lost_paths(project(), text_of("docs/design/" + std::string(page) + ".md"))) ==
-              "");
+          "scenes", "scripting", "solvers", "storage", "testing", "time", "visuals"}) {
+        const std::string text = text_of("docs/design/" + std::string(page) + ".md");
+        CHECK(listed(lost_paths(project(), text)) == "");
+        CHECK(listed(lost_functions(project(), text)) == "");
+    }
 }
 
 TEST_CASE("a part links only the parts and libraries that it may link") {

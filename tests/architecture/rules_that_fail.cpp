@@ -222,6 +222,15 @@ TEST_CASE("a path in a document that does not exist is reported") {
     CHECK(rooms_without_line("").size() == folders_of_rooms().size());
 }
 
+TEST_CASE("a function in a document that is not in the file named behind it is reported") {
+    const SourceTree tree(
+        std::map<std::string, std::string>{{"physics/a.cpp", "void World::step();\nint steps;"}});
+    CHECK(lost_functions(tree, "`World::step` and `steps` (`physics/a.cpp`)").empty());
+    CHECK(lost_functions(tree, "`World::stop` or `step`\n  (`physics/a.cpp`)") ==
+          Violations{"physics/a.cpp: stop is not in it"});
+    CHECK(lost_functions(tree, "`ste` (`physics/a.cpp`)").size() == 1);
+}
+
 TEST_CASE("a file outside every part is reported") {
     CHECK(of(unknown_places, "framework/drawing/pen.cpp", "").size() == 1);
     CHECK(of(unknown_places, "tests/physics/friction.cpp", "").empty());

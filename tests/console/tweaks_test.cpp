@@ -8,6 +8,8 @@
 
 #include <fettle/property/storage/scene.h>
 
+#include <look/theme.h>
+
 #include "catch.h"
 #include "rig.h"
 #include "temporary_folder.h"

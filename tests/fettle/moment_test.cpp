@@ -3,6 +3,7 @@
 #include <catch.h>
 
 #include <fstream>
+#include <string_view>
 
 #include "program.h"
 

@@ -1,5 +1,7 @@
 #include <fettle/physics/host_access.h>
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "catch.h"
 #include "scenes.h"

@@ -1,5 +1,7 @@
 // The pen, and the order in which scripts draw.
 
+#include <array>
+
 #include <fettle/property/media.h>
 #include <fettle/property/painter.h>
 

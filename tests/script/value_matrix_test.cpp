@@ -2,6 +2,7 @@
 // saved and loaded bit for bit.
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 

@@ -1,6 +1,7 @@
 // Drawing, compared pixel by pixel.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>

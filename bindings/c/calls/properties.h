@@ -10,6 +10,9 @@
 // defines fettle_wheel_joint_hertz, which calls WheelJoint::hertz, and
 // fettle_wheel_joint_set_hertz, which calls WheelJoint::set_hertz.
 
+// A type cannot be in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
+
 /// A property that is only read. `Type`: its type in C.
 #define FETTLE_READING(object, Class, property, Type)                                 \
     fettle_code fettle_##object##_##property(const fettle_world* world, fettle_id id, \
@@ -39,3 +42,5 @@
                                                  fettle_coordinate x, fettle_coordinate y) {       \
         return edit<&Class::set_##property>(__func__, world, id, fettle::physics::Position(x, y)); \
     }
+
+// NOLINTEND(bugprone-macro-parentheses)

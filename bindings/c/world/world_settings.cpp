@@ -31,6 +31,7 @@ using namespace fettle::physics;
 using namespace fettle::physics_c;
 
 // As the macros in calls/properties.h, for settings of the world. `Type`: the setting's type in C.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define FETTLE_WORLD_READING(setting, Type)                                        \
     fettle_code fettle_world_##setting(const fettle_world* world, Type* setting) { \
         return read<&World::setting>(__func__, world, setting);                    \
@@ -40,6 +41,7 @@ using namespace fettle::physics_c;
     fettle_code fettle_world_set_##setting(fettle_world* world, Type setting) { \
         return edit<&World::set_##setting>(__func__, world, setting);           \
     }
+// NOLINTEND(bugprone-macro-parentheses)
 
 FETTLE_WORLD_READING(gravity, fettle_vec2)
 

@@ -13,7 +13,7 @@ export class Replay {
     check(c.fettle_replay_create(...given, out));
     this.#pointer = view.u32[out >> 2];
     collected.register(this, this.#pointer, this);
-    // A misspelt property is an error, but in a class of the program's own, which adds some.
+    // A misspelt property is an error. Classes that a program derives may add properties.
     if (new.target === Replay) Object.preventExtensions(this);
   }
   get #live() {

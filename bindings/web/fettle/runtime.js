@@ -297,7 +297,7 @@ export class WorldBase {
     const out = allocate(4);
     check(c.fettle_world_create(def, out));
     this.own(view.u32[out >> 2]);
-    // A misspelt property is an error, but in a class of the program's own, which adds some.
+    // A misspelt property is an error. Classes that a program derives may add properties.
     if (new.target === classes.World) Object.preventExtensions(this);
   }
   /** A world that the library has made. */
@@ -360,7 +360,7 @@ export class MoverBase {
     Object.defineProperty(this, "world", { value: world });
     const { def, state } = classes.mover;
     this.checkAndStore(this.structOf(definition, "definition", def, c.fettle_mover_def_init), this.structOf({ position }, "state", state, c.fettle_mover_state_init));
-    // A misspelt property is an error, but in a class of the program's own, which adds some.
+    // A misspelt property is an error. Classes that a program derives may add properties.
     if (new.target === classes.Mover) Object.preventExtensions(this);
   }
   /** The address of a structure with the members of `value` and the defaults for the others. */

@@ -9,6 +9,7 @@
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
+#include <lua/stack.h>
 
 namespace fettle::script {
 

@@ -2,6 +2,7 @@
 #include <signal.h>
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
 #include <mutex>
 #include <system_error>
 #include <thread>

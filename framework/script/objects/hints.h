@@ -30,11 +30,11 @@ class Hints {
     std::string of_added(property::Handle instance, std::string_view name) const;
     /// A hint at a child that has the property: "its Circle has radius", or "".
     std::string child_with(property::Handle instance, std::string_view name) const;
-    /// Whether a command at the console runs that begins with the word, as `gravity` does in
+    /// True while a command of the console runs whose first word is `word`: `gravity` in
     /// `gravity = 0`.
     bool begins_command(std::string_view word) const;
-    /// For a name that does not exist and that the command at the console begins with: what can be
-    /// typed in place of the command, or "".
+    /// What can be typed in place of the command that runs at the console, if its first word is
+    /// `word`, a name that does not exist; or "".
     std::string of_command(std::string_view word) const;
     /// The path of the first instance with that name, below others; "" if there is none
     /// nearby.

@@ -4,6 +4,7 @@
 #include <fettle/property/error.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
+#include <lua/stack.h>
 #include <sandbox/sandbox.h>
 #include <text/other_languages.h>
 #include <values/values.h>

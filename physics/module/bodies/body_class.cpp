@@ -8,6 +8,7 @@
 #include <bodies/body_class.h>
 #include <bodies/mass_explanations.h>
 #include <bodies/touches.h>
+#include <drawing/drawn_pose.h>
 #include <events/events.h>
 
 namespace fettle::physics_module {

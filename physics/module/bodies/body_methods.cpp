@@ -5,7 +5,7 @@
 #include <bindings/bindings.h>
 #include <bodies/body_class.h>
 #include <bodies/touches.h>
-#include <drawing/forms.h>
+#include <drawing/drawn_pose.h>
 
 namespace fettle::physics_module {
 namespace {
@@ -55,13 +55,6 @@ const Field world_point{.name = "point",
                         .doc = "A point in the world; the center of mass if it is left out."};
 
 }  // namespace
-
-property::Transform drawn_pose(void* context, const property::Tree&, Handle, Row row,
-                               double alpha) {
-    const auto [in, slot] = static_cast<Hosting*>(context)->at(row);
-    const Frame frame(in, slot, alpha);
-    return property::Transform::placed(frame.position(), frame.angle());
-}
 
 std::vector<Method> body_methods(Hosting& hosting) {
     const auto vec2 = [](std::string name, std::string unit, std::string doc) {

@@ -1,8 +1,8 @@
 // Mover: a body that walks, climbs and rides through a world.
 
 #include <bindings/bindings.h>
-#include <bodies/body_class.h>
 #include <drawing/drawing.h>
+#include <drawing/drawn_pose.h>
 #include <movers/mover_class.h>
 
 namespace fettle::physics_module {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fettle/property/path.h>
+#include <fettle/property/spelling.h>
 #include <fettle/property/storage/scene.h>
 
 #include <files/durable_file.h>
