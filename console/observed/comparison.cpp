@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <unordered_map>
 #include <utility>
 
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/fixed_text.h>
 #include <fettle/property/path.h>
 #include <fettle/property/pose.h>
 #include <fettle/property/spelling.h>
@@ -52,9 +52,7 @@ std::vector<Handle> placed(const property::Tree& tree) {
 }
 
 std::string meters(double length) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f m", length);
-    return text;
+    return property::fixed_text(length, 2) + " m";
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <system_error>
 
@@ -24,10 +23,10 @@ std::string with_short_exponent(std::string shown) {
     return shown.erase(exponent + sign, first - exponent - sign);
 }
 
-std::string printed(const char* format, int digits, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, digits, value);
-    return text;
+/// With a point in every locale of the program.
+std::string printed(std::chars_format format, int digits, double value) {
+    char text[400];
+    return std::string(text, std::to_chars(text, text + sizeof text, value, format, digits).ptr);
 }
 
 }  // namespace
@@ -36,11 +35,12 @@ std::string short_number(double value, int digits) {
     if (!std::isfinite(value)) return property::number_text(value);
     if (std::abs(value) < 1e-6) return "0";
     const double size = std::abs(value);
-    if (size >= 1e7 || size < 1e-3) return with_short_exponent(printed("%.*g", digits, value));
+    if (size >= 1e7 || size < 1e-3)
+        return with_short_exponent(printed(std::chars_format::general, digits, value));
     const int before = std::max(0, static_cast<int>(std::floor(std::log10(size))) + 1);
     const int leading = size < 1 ? -static_cast<int>(std::floor(std::log10(size))) - 1 : 0;
     const int decimals = std::max(0, digits - before + leading);
-    std::string shown = printed("%.*f", decimals, value);
+    std::string shown = printed(std::chars_format::fixed, decimals, value);
     if (shown.find('.') == std::string::npos) return shown;
     while (shown.back() == '0') shown.pop_back();
     if (shown.back() == '.') shown.pop_back();
@@ -50,7 +50,8 @@ std::string short_number(double value, int digits) {
 std::string narrow_number(double value, int digits) {
     const std::string usual = short_number(value, digits);
     if (!std::isfinite(value) || usual == "0") return usual;
-    const std::string other = with_short_exponent(printed("%.*e", digits - 1, value));
+    const std::string other =
+        with_short_exponent(printed(std::chars_format::scientific, digits - 1, value));
     return other.size() < usual.size() ? other : usual;
 }
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <string>
+
+#include <fettle/property/fixed_text.h>
 
 #include <look/theme.h>
 
@@ -201,9 +202,8 @@ void CompareView::draw(const Rect& place, const Comparison& runs, GamePictures& 
         draw_note(left, "without what scripts draw in draw(pen)", "without draw(pen)", notes++);
     if (runs.drawn().full())
         draw_note(left, "later changes of shapes and colors are not kept", "old shapes", notes++);
-    char text[48];
-    std::snprintf(text, sizeof text, "step %lld  %.2f s",
-                  static_cast<long long>(runs.a()[shown_].step), static_cast<double>(shown_) * dt);
+    const std::string text = "step " + std::to_string(runs.a()[shown_].step) + "  " +
+                             property::fixed_text(static_cast<double>(shown_) * dt, 2) + " s";
     draw_text(*ImGui::GetWindowDrawList(), ImVec2(rect_.low.x + gap, low + 0.4f * em), palette::dim,
               text);
     track_ = {ImVec2(rect_.low.x + 13 * em, low + 0.3f * em),

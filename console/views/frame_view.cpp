@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include <fettle/property/fixed_text.h>
 
 #include <look/theme.h>
 
@@ -37,9 +38,7 @@ constexpr std::array<Part, 7> parts{{{"input", &Timings::input, palette::rgb(0x8
                                      {"wait", &Timings::wait, palette::rgb(0x3a4250)}}};
 
 std::string in_ms(double ms) {
-    char text[32];
-    std::snprintf(text, sizeof text, ms < 0.995 ? "%.2f ms" : "%.1f ms", ms);
-    return text;
+    return property::fixed_text(ms, ms < 0.995 ? 2 : 1) + " ms";
 }
 
 /// Names and times of the parts of physics in the last step, from the properties of `world.step`.

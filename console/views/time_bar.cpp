@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 #include <vector>
+
+#include <fettle/property/fixed_text.h>
 
 #include <look/imgui_compat.h>
 #include <look/theme.h>
@@ -25,9 +26,7 @@ constexpr float knob = 5;     // half its width in pixels
 constexpr float tip_gap = 4;  // pixels between the bar and its tooltips
 
 std::string seconds_text(double seconds) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f s", seconds);
-    return text;
+    return property::fixed_text(seconds, 2) + " s";
 }
 
 }  // namespace

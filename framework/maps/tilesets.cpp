@@ -43,6 +43,9 @@ Tileset Reader::tileset(const Place& outer, const std::string& in) {
         file = beside(in, source);
         external = read_part(in, file);
         if (!external.is_object()) fail(file, "this is not a tileset");
+        if (const std::string type = Place{file, external, {}}.text("type", "tileset");
+            type != "tileset")
+            fail(file, "expected a tileset, got a " + type + " (named in " + in + ")");
         first_gids_[file] = static_cast<std::uint32_t>(first_gid);
     }
     const Json& json = external.is_object() ? external : outer.json;

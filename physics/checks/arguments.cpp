@@ -1,11 +1,11 @@
 #include <checks/arguments.h>
 #include <geometry/decomposition.h>
+#include <geometry/number_text.h>
 #include <geometry/vector.h>
 #include <state/limits.h>
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -14,14 +14,8 @@ namespace {
 
 constexpr float least_size = 1e-5f, greatest_size = 1e6f;
 
-/// With six digits, or nine if six name another number: a number just beyond a limit does not look
-/// like the limit.
 std::string text(float value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%g", double(value));
-    if (std::strtof(buffer, nullptr) != value)
-        std::snprintf(buffer, sizeof buffer, "%.9g", double(value));
-    return buffer;
+    return exact_text(value);
 }
 
 [[noreturn]] void refuse(const char* what, const std::string& value, const std::string& expected) {
@@ -33,9 +27,7 @@ std::string text(const Vec2& v) {
 }
 #ifdef FETTLE_PHYSICS_DOUBLE
 std::string text(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.12g", value);
-    return buffer;
+    return number_text(value, 12);
 }
 std::string text(const Position& p) {
     return "(" + text(p.x) + ", " + text(p.y) + ")";

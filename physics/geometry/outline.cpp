@@ -1,8 +1,8 @@
 #include <geometry/decomposition.h>
+#include <geometry/number_text.h>
 #include <geometry/orientation.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
 
 // Tests whether an outline is a simple polygon, and describes the error if it is not.
@@ -37,9 +37,7 @@ std::string name(const Edge& e) {
 }
 
 std::string name(Vec2 p) {
-    char text[48];
-    std::snprintf(text, sizeof text, "(%g, %g)", double(p.x), double(p.y));
-    return text;
+    return "(" + number_text(double(p.x)) + ", " + number_text(double(p.y)) + ")";
 }
 
 Vec2 crossing(const Edge& e, const Edge& f) {

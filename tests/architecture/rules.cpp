@@ -61,7 +61,7 @@ const std::vector<Part>& parts() {
         {"app",
          {"framework/app", "framework/include/fettle/app"},
          {"script", "property", "storage"},
-         {"SFML", "Zstandard", "POSIX"}},
+         {"SFML", "Zstandard", "stb", "POSIX"}},
         {"interface",
          {"framework/interface", "framework/include/fettle/interface"},
          {"app", "module", "property"},

@@ -11,6 +11,7 @@
 #include <text/short_numbers.h>
 
 #include "catch.h"
+#include "comma_locale.h"
 #include "rig.h"
 
 namespace theme_test {
@@ -108,6 +109,14 @@ TEST_CASE("nothing of the game is seen behind text") {
     console::test::Rig rig;
     CHECK(rig.value("console.opacity") == property::Value(1.0));
     for (const Named& each : backgrounds()) CHECK(channel(each.color, IM_COL32_A_SHIFT) == 1.0);
+}
+
+TEST_CASE("shown numbers have a point in every locale of the program") {
+    const CommaLocale comma;
+    if (!comma.there()) return;
+    CHECK(console::short_number(1.5) == "1.5");
+    CHECK(console::short_number(1.5e-6) == "1.5e-6");
+    CHECK(console::narrow_number(-0.000123456) == "-1.235e-4");
 }
 
 TEST_CASE("numbers are shown with four significant digits") {

@@ -467,4 +467,16 @@ TEST_CASE("an error of a file that a map names says where it is named") {
                       "there is no file maps/" + file + " (named in maps/cave.tmj)");
 }
 
+TEST_CASE("a map in the place of a tileset is an error that says so") {
+    for (const std::string& other :
+         {std::string(R"({"type": "map", "tilewidth": 8, "tileheight": 8, "layers": []})"),
+          std::string("<map tilewidth=\"8\" tileheight=\"8\"/>"),
+          std::string(R"({"type": "template", "object": {}})")}) {
+        const Files wrong = {{"m.tmj", R"({"tilewidth": 8, "tileheight": 8,
+            "tilesets": [{"firstgid": 1, "source": "other"}]})"},
+                             {"other", other}};
+        CHECK_THROWS_WITH(read(wrong, "m.tmj"), contains("other: expected a tileset, got a "));
+    }
+}
+
 }  // namespace map_test

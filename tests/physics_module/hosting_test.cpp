@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catch.h"
+#include "comma_locale.h"
 #include "game.h"
 #include "last_words.h"
 
@@ -146,6 +147,19 @@ TEST_CASE_METHOD(
     CHECK_THROWS_WITH(physics.body(world()), contains("expected a Body"));
     tree.destroy(crate);
     CHECK_THROWS_AS(physics.body(crate), property::Error);
+}
+
+TEST_CASE("messages of physics have a point in every locale of the program") {
+    const CommaLocale comma;
+    if (!comma.there()) return;
+    physics::World world;
+    physics::Body body = world.create_body();
+    CHECK_THROWS_WITH(body.add(physics::Circle{.radius = -1.5f}),
+                      contains("radius = -1.5: expected a number from 1e-05 to"));
+    CHECK_THROWS_WITH(body.add(physics::Circle{.radius = 1000000.1f}),
+                      contains("radius = 1000000.12: "));
+    CHECK_THROWS_WITH(body.add(physics::Concave{{{0, 0}, {2.5f, 2.5f}, {2.5f, 0}, {0, 2.5f}}}),
+                      contains("(1.25, 1.25)"));
 }
 
 TEST_CASE("physics can be attached only once") {

@@ -78,6 +78,21 @@ TEST_CASE("reading a formula in error raises and the formula recovers") {
     CHECK(s.errors.empty());
 }
 
+TEST_CASE("the message of who reads a formula in error has the hint of its error once") {
+    Stage s;
+    s.run(
+        "world.ball = Body {} "
+        "world.total = formula(function() return world.ball:mass() end) "
+        "world.twice = formula(function() return 2 * world.total end)");
+    const std::string hint = "(write .mass without brackets: it is a property)";
+    for (const char* const name : {"total", "twice"}) {
+        const std::string message = s.fails("print(world." + std::string(name) + ")");
+        INFO(message);
+        CHECK(message.find(hint) != std::string::npos);
+        CHECK(message.find(hint) == message.rfind(hint));
+    }
+}
+
 TEST_CASE("further arguments of formula are refused and not ignored") {
     Stage s;
     s.run("world.ball = Body { mass = 2 }");

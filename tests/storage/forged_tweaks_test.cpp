@@ -246,6 +246,42 @@ TEST_CASE("every accepted edit can be kept with texts of any length") {
     CHECK(run.tweaks->keep("**").count == 2);
 }
 
+TEST_CASE("a tweak that is too large to be read again is not journaled and this is reported") {
+    const GameFolder folder;
+    {
+        Run run(folder);
+        const Handle thing = run.add("Thing", "a");
+        run.barrier();
+        run.person([&] {
+            run.tree.set_or_add(thing, "brief_text", Value("x"));
+            run.tree.set_or_add(thing, "long_text", Value("x"));
+        });
+        CHECK(run.reported.empty());
+        // A zero byte has six letters in JSON.
+        run.person(
+            [&] { run.tree.set_or_add(thing, "long_text", Value(std::string(12 << 20, '\0'))); });
+        CHECK(run.reported ==
+              std::vector<std::string>{
+                  "the tweak of world.a.long_text is larger than 64 MB, so it cannot "
+                  "be journaled; it is lost when the game ends"});
+        REQUIRE(run.tweaks->list().size() == 2);
+    }
+    {
+        Run run(folder);
+        CHECK(run.reported.empty());
+        REQUIRE(run.tweaks->list().size() == 1);
+        CHECK(run.tweaks->list().front().path == "world.a.brief_text");
+        // One that is small again is journaled.
+        const Handle thing = run.add("Thing", "a");
+        run.barrier();
+        run.person(
+            [&] { run.tree.set_or_add(thing, "long_text", Value(std::string(80 << 20, 'x'))); });
+        run.person([&] { run.tree.set_or_add(thing, "long_text", Value("y")); });
+        CHECK(run.reported.size() == 1);
+    }
+    CHECK(Run(folder).tweaks->list().size() == 2);
+}
+
 TEST_CASE(
     "a tweak that the file of kept tweaks cannot contain is reported and the others are kept") {
     const GameFolder folder;

@@ -94,9 +94,10 @@ TEST_CASE("a setting of another type is an error with its place") {
          "seed: expected a whole number that is not negative, or \"random\", found"},
         {R"({"seed": "rand"})", "seed: expected a whole number that is not negative, or"},
         {R"({"console": "onn"})", "console: expected \"on\", \"developer\" or \"off\""},
-        {R"({"id": "../other"})", "id: expected an id of letters"},
-        {R"({"id": ""})", "id: expected an id of letters"},
-        {R"({"id": ".."})", "id: expected an id of letters"},
+        {R"({"id": "../other"})", "id: expected an id of 1 to 100 letters"},
+        {R"({"id": ""})", "id: expected an id of 1 to 100 letters"},
+        {R"({"id": ")" + std::string(101, 'a') + R"("})", "id: expected an id of 1 to 100 letters"},
+        {R"({"id": ".."})", "id: expected an id of 1 to 100 letters"},
         {R"({"fettle": "new"})", "fettle: expected a version"},
         {R"([])", "1:1: expected an object with settings"},
         {R"({"name": "a", "name": "b"})", "name"},
@@ -121,6 +122,18 @@ TEST_CASE("the folder of a player belongs to the id of the game") {
     CHECK(player_folder("/games/a", "org.example.a") == player_folder("/b/c", "org.example.a"));
     CHECK(player_folder("/games/a", "org.example.a") == data.path() / "fettle/games/org.example.a");
     CHECK(player_folder("/games/a", "") == user_folder("/games/a"));
+}
+
+TEST_CASE("a game whose folder has the longest name has a folder of its own for a player") {
+    const GameFolder data;
+    ::setenv("XDG_DATA_HOME", data.path().c_str(), 1);
+    const std::string longest(254, 'n');
+    const std::filesystem::path a = player_folder(data.path() / (longest + "a"), "");
+    const std::filesystem::path b = player_folder(data.path() / (longest + "b"), "");
+    CHECK(a != b);
+    write_player_settings(a, {.fullscreen = true});
+    CHECK(read_player_settings(a).fullscreen == true);
+    CHECK_FALSE(read_player_settings(b).fullscreen);
 }
 
 TEST_CASE("writing the settings of a player keeps settings that this version does not have") {

@@ -7,6 +7,7 @@
 
 #include <fettle/app/recording.h>
 
+#include "comma_locale.h"
 #include "playing.h"
 #include "temporary_folder.h"
 
@@ -85,6 +86,22 @@ TEST_CASE("the replay of a recorded run is equal to the run") {
     REQUIRE(result.difference.empty());
     REQUIRE(result.steps == Recording(file.path).steps());
     REQUIRE(result.steps > 80);
+}
+
+TEST_CASE("a recording does not depend on the locale of the program") {
+    const File with_comma, with_point;
+    record(with_point, 30);
+    {
+        const CommaLocale comma;
+        if (!comma.there()) return;
+        CHECK(replay(with_point).difference.empty());
+        CHECK(replay(with_point).steps > 20);
+        record(with_comma, 30);
+    }
+    const Result result = replay(with_comma);
+    CHECK(result.difference.empty());
+    CHECK(result.steps == Recording(with_comma.path).steps());
+    CHECK(result.steps > 20);
 }
 
 TEST_CASE("a replay reports the first step that differs and the difference") {

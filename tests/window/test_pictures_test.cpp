@@ -22,15 +22,17 @@ struct Outcome {
     std::string out;
 };
 
-/// Runs `fettle ARGUMENTS` on a virtual display; `arguments` is a part of a shell command.
-Outcome on_display(const TemporaryFolder& folder, const std::string& arguments) {
+/// Runs `fettle ARGUMENTS` on a virtual display; `arguments` is a part of a shell command, `before`
+/// a command that ends with a semicolon.
+Outcome on_display(const TemporaryFolder& folder, const std::string& arguments,
+                   const std::string& before = {}) {
     // The status of the program is written to a file, because xvfb-run itself fails now and then
     // when it removes its folder.
     const std::string command = "cd '" + folder.path.string() + "' && env XDG_DATA_HOME='" +
                                 folder.path.string() +
-                                "/data' LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a sh -c '\"$0\" "
-                                "\"$@\"; echo $? >status' '" +
-                                FETTLE_PROGRAM "' " + arguments + " >out 2>&1 </dev/null";
+                                "/data' LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a sh -c '" + before +
+                                "\"$0\" \"$@\"; echo $? >status' '" + FETTLE_PROGRAM "' " +
+                                arguments + " >out 2>&1 </dev/null";
     (void)std::system(command.c_str());
     std::ifstream in(folder.path / "out"), ended(folder.path / "status");
     Outcome outcome;
@@ -145,6 +147,28 @@ TEST_CASE("with a random seed runs in a window differ and a recording has the nu
     CHECK(given.out == on_display(folder, "run game --headless --steps 2 --seed 7").out);
     const Outcome again = on_display(folder, "run --headless --replay game.recording");
     CHECK(again.out == first.out + "2 steps, each as it was recorded\n");
+}
+
+TEST_CASE("a picture for which the disk has no room is reported and the earlier one stays") {
+    if (skipped()) return;
+    const TemporaryFolder folder;
+    write(folder.path / "main.lua", "world.ball = Body { Circle { radius = 3 } }");
+    const std::string ending = GENERATE(".png", ".jpg", ".bmp", ".tga");
+    const fs::path picture = folder.path / ("a" + ending);
+    const std::string command = "run main.lua --headless --steps 1 --screenshot a" + ending;
+    CHECK(on_display(folder, command).status == 0);
+    const auto size = fs::file_size(picture);
+    CHECK(size > 1024);
+    const Outcome full = on_display(folder, command, "ulimit -f 2; ");  // KiB
+    INFO(full.out);
+    CHECK(full.status == 3);
+    CHECK(full.out.find("a" + ending + ": could not be written: ") != std::string::npos);
+    CHECK(fs::file_size(picture) == size);
+    std::size_t files = 0;
+    for (const auto& each : fs::directory_iterator(folder.path))
+        files += each.path().filename().string().starts_with("a") ||
+                 each.path().filename().string().find("tmp") != std::string::npos;
+    CHECK(files == 1);
 }
 
 }  // namespace test_pictures_test

@@ -1,15 +1,17 @@
 #include <calls/inside.h>
 
-#include <cstdio>
+#include <locale>
+#include <sstream>
 
 #include <calls/retired.h>
 
 namespace fettle::physics_c {
 
 std::string name_and_value(const char* name, float value) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%s = %g", name, double{value});
-    return text;
+    std::ostringstream text;
+    text.imbue(std::locale::classic());  // a point, whatever the locale of the program is
+    text << name << " = " << value;
+    return text.str();
 }
 
 fettle_world* adopt(std::unique_ptr<physics::World> world) {

@@ -10,8 +10,11 @@ class Handle(HasProperties):
     """Names an object of a world. It may outlive the object; then its methods raise `Stale`."""
 
     __slots__ = ("world", "id")
+    _made_by = "a method of a world"
 
-    def __init__(self, world, id):
+    def __init__(self, world=None, id=None, *more, **values):
+        if id is None or more or values:
+            raise Invalid(f"{type(self).__name__} names what a world has; {self._made_by} makes one")
         self.world = world
         self.id = id
 

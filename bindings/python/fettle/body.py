@@ -13,6 +13,7 @@ class Body(Handle):
     """A rigid body. Its properties are those of fettle/physics_c/body.h, with the same names."""
 
     __slots__ = ()
+    _made_by = "world.body(...)"
 
     @property
     def is_valid(self):

@@ -75,6 +75,7 @@ class Field(Handle):
     """A field of force in a world."""
 
     __slots__ = ()
+    _made_by = "world.field(force)"
 
     @property
     def is_valid(self):

@@ -12,6 +12,7 @@ class Joint(Handle):
     """Between two bodies, or between one body and the world, which is None."""
 
     __slots__ = ()
+    _made_by = "world.joint(type, ...)"
 
     @property
     def is_valid(self):

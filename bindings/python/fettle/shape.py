@@ -76,6 +76,7 @@ class Shape(Handle):
     segment, which are `begin` and `end`."""
 
     __slots__ = ()
+    _made_by = "body.add(geometry)"
 
     @staticmethod
     def _definition(properties):

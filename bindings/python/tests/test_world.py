@@ -35,6 +35,13 @@ class Bodies(unittest.TestCase):
         self.assertEqual(len(ball.contacts), 1)
         self.assertTrue(ball.is_touching)
 
+    def test_a_class_that_is_called_in_place_of_a_method_names_the_method(self):
+        for kind, method in ((fettle.Body, "world.body"), (fettle.Shape, "body.add"), (fettle.Joint, "world.joint"),
+                             (fettle.WheelJoint, "world.joint"), (fettle.Field, "world.field")):
+            for arguments, named in (((), {}), (((0, 1),), {}), ((), {"position": (0, 5)}), ((1, 2, 3), {})):
+                with self.assertRaisesRegex(fettle.Invalid, method.replace(".", "[.]")):
+                    kind(*arguments, **named)
+
     def test_properties_are_read_and_set(self):
         world = fettle.World(gravity=(0, 0), substeps=8, solver="sequential", bounds=((-5, -5), (5, 5)))
         self.assertEqual((world.gravity, world.substeps, world.solver), ((0, 0), 8, "sequential"))

@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include <fettle/app/loop.h>
 #include <fettle/app/screen.h>
 #include <fettle/property/drawing.h>
+#include <fettle/property/fixed_text.h>
 
 #include <loop/cameras.h>
 #include <loop/effects.h>
@@ -120,16 +120,16 @@ void draw_timings(Surface& surface, const Clock& clock, float scale) {
     const float left = surface.width() - width - 12, top = 12;
     constexpr SurfaceColor ink{230, 233, 240, 255}, pale{150, 158, 172, 255};
     fill(surface, left, top, width, height, {16, 19, 25, 210});
-    std::array<char, 64> text{};
     float y = top + padding;
-    std::snprintf(text.data(), text.size(), "%.0f fps   %.1f ms   %lld dropped", clock.fps, t.frame,
-                  static_cast<long long>(clock.dropped_steps));
-    surface.text(left + padding, y, text.data(), high, ink, Face::plain);
+    const std::string speed = property::fixed_text(clock.fps, 0) + " fps   " +
+                              property::fixed_text(t.frame, 1) + " ms   " +
+                              std::to_string(clock.dropped_steps) + " dropped";
+    surface.text(left + padding, y, speed, high, ink, Face::plain);
     for (const Row& row : rows) {
         y += row_height;
         surface.text(left + padding, y, row.name, high, pale, Face::plain);
-        std::snprintf(text.data(), text.size(), "%.2f", row.ms);
-        surface.text(left + width - padding - 34 * scale, y, text.data(), high, ink, Face::plain);
+        surface.text(left + width - padding - 34 * scale, y, property::fixed_text(row.ms, 2), high,
+                     ink, Face::plain);
         // The full length of a bar is 1/60 s.
         const float share = std::min(1.0f, static_cast<float>(row.ms * 60 / 1000));
         const float bar = 84 * scale, at = left + 76 * scale;

@@ -1,8 +1,8 @@
 #include <time/recording_text.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 #include <fettle/property/bytes.h>
 #include <fettle/property/error.h>
@@ -30,9 +30,11 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string exact(double number) {
+    if (!std::isfinite(number)) return std::isnan(number) ? "nan" : number < 0 ? "-inf" : "inf";
     char text[40];
-    std::snprintf(text, sizeof text, "%a", number);
-    return text;
+    const auto end =
+        std::to_chars(text, text + sizeof text, std::abs(number), std::chars_format::hex);
+    return (std::signbit(number) ? "-0x" : "0x") + std::string(text, end.ptr);
 }
 
 std::string hex(std::uint64_t bits) {
@@ -114,10 +116,19 @@ std::optional<std::string> Words::text() {
 std::optional<double> Words::number() {
     const auto taken = word();
     if (!taken || taken->empty()) return std::nullopt;
-    char* end = nullptr;
-    const double number = std::strtod(taken->c_str(), &end);
-    if (end != taken->c_str() + taken->size()) return std::nullopt;
-    return number;
+    std::string_view digits = *taken;
+    const bool negative = digits.starts_with('-');
+    if (negative) digits.remove_prefix(1);
+    const bool hexadecimal = digits.starts_with("0x");
+    if (hexadecimal) digits.remove_prefix(2);
+    if (digits.starts_with('-')) return std::nullopt;
+    double number = 0;
+    const char* const last = digits.data() + digits.size();
+    const auto [end, error] =
+        std::from_chars(digits.data(), last, number,
+                        hexadecimal ? std::chars_format::hex : std::chars_format::general);
+    if (error != std::errc() || end != last) return std::nullopt;
+    return negative ? -number : number;
 }
 
 std::optional<std::int64_t> Words::integer() {

@@ -12,6 +12,7 @@
 #include <draw/effect_pass.h>
 #include <sfml/sfml.h>
 #include <sfml/system_clipboard.h>
+#include <window/picture_file.h>
 
 namespace fettle::app {
 
@@ -25,19 +26,6 @@ void require_display() {
     if (!display_available())
         throw std::runtime_error(
             "there is no display to draw on: set DISPLAY, use xvfb-run, or run with --headless");
-}
-
-void write_image(const sf::Image& image, const std::filesystem::path& file) {
-    std::error_code ignored;
-    const std::filesystem::path folder = file.parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-        throw std::runtime_error(file.string() + ": cannot be written, since there is no folder " +
-                                 folder.string());
-    const sfml::NoMessages quiet;
-    if (!image.saveToFile(file.string()))
-        throw std::runtime_error(file.string() +
-                                 ": the picture cannot be written (endings known: .png .jpg .bmp "
-                                 ".tga)");
 }
 
 Pixels pixels_of(const sf::Texture& texture) {
@@ -87,9 +75,7 @@ class Picture : public Screen {
         canvas_->flush();
         target_.display();
     }
-    void save(const std::filesystem::path& file) override {
-        write_image(target_.getTexture().copyToImage(), file);
-    }
+    void save(const std::filesystem::path& file) override { write_picture(pixels(), file); }
     Pixels pixels() const override { return pixels_of(target_.getTexture()); }
     void release_textures() override { canvas_->release_textures(); }
     Clipboard& clipboard() override { return clipboard_; }
@@ -169,7 +155,7 @@ class SfmlWindow : public Window {
     }
     void save(const std::filesystem::path& file) override {
         if (!frame_) throw std::runtime_error(file.string() + ": no frame was kept for a picture");
-        write_image(frame_->copyToImage(), file);
+        write_picture(pixels(), file);
     }
     Pixels pixels() const override { return frame_ ? pixels_of(*frame_) : Pixels{}; }
     void keep_frame() override { keep_frame_ = true; }

@@ -175,6 +175,12 @@ std::string hint_for_missing_self(lua_State* L, int level, std::string_view mess
     return " (nothing is given as self here: write self:after(...), or function() self:name() end)";
 }
 
+/// The message of a formula's error is a part of the message of those who read its value, and may
+/// have the hint already.
+void add_hint(std::string& message, const std::string& hint) {
+    if (message.find(hint) == std::string::npos) message += hint;
+}
+
 }  // namespace
 
 std::string error_text(lua_State* L, int index) {
@@ -216,11 +222,11 @@ void complete_message(lua_State* L, lua_State* from, int level) {
     }
     std::string hint = hint_for_value(error.message);
     if (hint.empty()) hint = nearest_function(L, error);
-    completed += hint;
+    add_hint(completed, hint);
     if (!by_lua)
-        completed += dot_hint(L, level);
+        add_hint(completed, dot_hint(L, level));
     else if (error.message.find("(local 'self')") != std::string::npos)
-        completed += hint_for_missing_self(L, level, error.message);
+        add_hint(completed, hint_for_missing_self(L, level, error.message));
     if (completed == error.message) return;
     lua_pop(from, 1);
     push_text(from, completed);

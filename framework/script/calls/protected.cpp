@@ -11,6 +11,7 @@
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
+#include <lua/numeric_locale.h>
 #include <lua/runtime_lifetime.h>
 #include <lua/sources.h>
 #include <lua/watchdog.h>
@@ -107,6 +108,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     if (!machine.life.in_tree) return false;
     const RuntimeLifetime::Use use(machine.life);
     const Watchdog::Call call(machine.watchdog);
+    const NumericLocale numbers;
     std::optional<Budget::Scope> limited;
     if (const auto limits = machine.budget.of_call()) limited.emplace(machine.budget, *limits);
     lua_State* L = machine.lua.main;

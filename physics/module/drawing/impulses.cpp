@@ -1,7 +1,7 @@
 // Impulses of contacts, drawn to scale.
 
 #include <cmath>
-#include <cstdio>
+#include <string>
 
 #include <bindings/conversion.h>
 #include <drawing/marks.h>
@@ -47,8 +47,7 @@ void draw_arrow(const Vec2& from, const Vec2& arrow, double pixel, Painter& pain
 /// Draws the scale of the impulses at the lower edge of the picture.
 void draw_scale(double meters_each, double pixel, Painter& painter) {
     const double shown = round_number(120 * pixel / meters_each);
-    char text[48];
-    std::snprintf(text, sizeof text, "%g N s in a step", shown);
+    const std::string text = property::number_text(shown) + " N s in a step";
     const double y = painter.seen().screen.y - 84, x = 0.4 * painter.seen().screen.x;
     const double wide = shown * meters_each / pixel;
     painter.begin_screen();

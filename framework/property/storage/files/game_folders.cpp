@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 
 #include <fettle/property/storage/tweaks.h>
@@ -52,6 +54,8 @@ fs::path user_folder(const fs::path& game) {
     std::string readable;
     for (const char c : game_title(game))
         readable += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+    // File systems allow names of 255 bytes.
+    readable.resize(std::min<std::size_t>(readable.size(), 200));
     // The hash separates the folders of games with the same name.
     const fs::path whole = game_folder(game) / game_name(game);
     return data / (readable + "-" + text_hash_digits(whole.string()));

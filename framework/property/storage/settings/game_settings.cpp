@@ -125,7 +125,7 @@ std::string read_id(SettingsReader& reader, const Document::Node& node) {
     std::string id = reader.text(node);
     if (!is_id(id))
         reader.refuse(node,
-                      "an id of letters, digits, \".\", \"-\" and \"_\", as in "
+                      "an id of 1 to 100 letters, digits, \".\", \"-\" and \"_\", as in "
                       "\"org.example.marbles\"");
     return id;
 }

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include <fettle/property/exception_text.h>
+#include <fettle/property/path.h>
 
+#include <json/document.h>
 #include <scenes/scene_names.h>
 #include <scenes/scene_text.h>
 #include <tweaks/tweaks_state.h>
@@ -21,6 +23,11 @@ constexpr int barriers_before_retry = 60;
 constexpr std::size_t longest_shown = 5000;
 // Occurs in every JSON text with a reference to a deleted instance.
 constexpr std::string_view mention_of_deleted = "\"game[\\\"\\\\000";
+
+/// A row that a later run could not read.
+bool is_too_large(const JournalRow& row) {
+    return std::max(row.was.size(), row.now.size()) > Document::size_limit;
+}
 
 }  // namespace
 
@@ -243,10 +250,13 @@ void Tweaks::State::commit() {
         }
     }
     Journal::Changes changes;
+    const auto belongs_in_journal = [this](const Entry& entry) {
+        return (visible(entry) || is_left_behind(entry)) && !is_too_large(entry.row);
+    };
     for (Entry* entry : dirty) {
         for (const auto text : {&JournalRow::was_text, &JournalRow::now_text})
             entry->row.*text = shortened(entry->row.*text, longest_shown);
-        if (visible(*entry) || is_left_behind(*entry))
+        if (belongs_in_journal(*entry))
             changes.put.push_back(&entry->row);
         else if (entry->committed)
             changes.withdrawn.push_back(entry->row.number);
@@ -270,7 +280,12 @@ void Tweaks::State::commit() {
     }
     for (Entry* entry : dirty) {
         entry->dirty = false;
-        entry->committed = visible(*entry) || is_left_behind(*entry);
+        entry->committed = belongs_in_journal(*entry);
+        if (visible(*entry) && !entry->committed)
+            warn("the tweak of " + entry->row.instance +
+                 (entry->row.property.empty() ? "" : path_suffix(entry->row.property)) +
+                 " is larger than " + std::to_string(Document::size_limit >> 20) +
+                 " MB, so it cannot be journaled; it is lost when the game ends");
     }
     dirty.clear();
     earlier.changed.clear();
