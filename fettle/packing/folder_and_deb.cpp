@@ -1,5 +1,6 @@
 #include <packing/folder_and_deb.h>
 
+#include <gnu/libc-version.h>
 #include <link.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -189,18 +190,23 @@ void make_debian_package(const fs::path& to, const PackageFacts& facts, const Ar
     write_start(root / "usr/games" / facts.id, place);
     write_with_folder(root / "usr/share/applications" / (facts.id + ".desktop"),
                       "[Desktop Entry]\nType=Application\nName=" + facts.name +
-                          "\nExec=/usr/games/" + facts.id + "\nCategories=Game;\nTerminal=false\n");
+                          "\nExec=/usr/games/" + facts.id +
+                          (facts.icon.empty() ? "" : "\nIcon=" + place + "/game/" + facts.icon) +
+                          "\nCategories=Game;\nTerminal=false\n");
     std::string architecture = "amd64";
 #ifdef __aarch64__
     architecture = "arm64";
 #endif
-    write_with_folder(
-        root / "DEBIAN/control",
-        "Package: " + facts.id + "\nVersion: " + facts.version + "\nArchitecture: " + architecture +
-            "\nMaintainer: " + facts.maintainer +
-            "\nSection: games\nPriority: optional\n"
-            "Depends: libc6, libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
-            facts.name + "\n A game made with Fettle.\n");
+    write_with_folder(root / "DEBIAN/control",
+                      "Package: " + facts.id + "\nVersion: " + facts.version +
+                          "\nArchitecture: " + architecture + "\nMaintainer: " + facts.maintainer +
+                          "\nSection: games\nPriority: optional\n"
+                          // The libraries in the package are those of this system, and need its
+                          // libc or a newer one.
+                          "Depends: libc6 (>= " +
+                          ::gnu_get_libc_version() +
+                          "), libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
+                          facts.name + "\n A game made with Fettle.\n");
     run_tool({"dpkg-deb", "--build", "--root-owner-group", "-Zgzip", root.string(), made.string()});
     fs::rename(made, to);
 }
