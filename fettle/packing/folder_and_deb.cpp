@@ -1,9 +1,9 @@
 #include <packing/folder_and_deb.h>
 
-#include <gnu/libc-version.h>
 #include <link.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +24,17 @@ namespace fettle::program {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// The libraries in a package are those of this system, and need its libc or a newer one.
+std::string needed_libc() {
+    std::array<char, 64> version{};  // "glibc 2.36"
+    if (::confstr(_CS_GNU_LIBC_VERSION, version.data(), version.size()) == 0) return "libc6";
+    const std::string_view text(version.data());
+    const std::size_t blank = text.find(' ');
+    return blank == std::string_view::npos
+               ? "libc6"
+               : "libc6 (>= " + std::string(text.substr(blank + 1)) + ")";
+}
 
 constexpr auto executable = fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
                             fs::perms::others_read | fs::perms::others_exec;
@@ -201,11 +212,9 @@ void make_debian_package(const fs::path& to, const PackageFacts& facts, const Ar
                       "Package: " + facts.id + "\nVersion: " + facts.version +
                           "\nArchitecture: " + architecture + "\nMaintainer: " + facts.maintainer +
                           "\nSection: games\nPriority: optional\n"
-                          // The libraries in the package are those of this system, and need its
-                          // libc or a newer one.
-                          "Depends: libc6 (>= " +
-                          ::gnu_get_libc_version() +
-                          "), libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
+                          "Depends: " +
+                          needed_libc() +
+                          ", libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
                           facts.name + "\n A game made with Fettle.\n");
     run_tool({"dpkg-deb", "--build", "--root-owner-group", "-Zgzip", root.string(), made.string()});
     fs::rename(made, to);
