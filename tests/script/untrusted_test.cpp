@@ -137,6 +137,27 @@ TEST_CASE("events that wait for the end of a step count as memory of an untruste
                                                   "the scripts of a game may"));
 }
 
+TEST_CASE("events that classes declare count as memory of an untrusted game") {
+    auto options = limited();
+    options.limits.instructions = std::uint64_t{1} << 50;
+    Stage s(options);
+    const std::string attack =
+        GENERATE(as<std::string>{}, "class('C' .. n, Object) { events = events }",
+                 "class('C' .. n, n > 1 and 'C' .. n - 1 or Object) { events = { 'e' .. n } }");
+    CAPTURE(attack);
+    s.run(
+        "events, n = {}, 0 for e = 1, 100 do local fields = {} "
+        "for f = 1, 32 do fields['field' .. f] = 0 end events['event' .. e] = fields end\n"
+        "function update() n = n + 1 " +
+        attack + " end");
+    int calls = 0;
+    while (calls < 3000 && s.runtime->call("update", {})) ++calls;
+    CHECK(calls < 3000);
+    REQUIRE_FALSE(s.errors.empty());
+    CHECK_THAT(s.errors.front().message, contains("main.lua:2: stopped: it needs more memory than "
+                                                  "the scripts of a game may"));
+}
+
 TEST_CASE("the numbers of instances and handlers and timers of an untrusted game are limited") {
     const auto [attack, what] = GENERATE(table<std::string, std::string>({
         {"for i = 1, 3000 do all[#all + 1] = world:add(Object { }) end", "instances"},

@@ -11,7 +11,21 @@
 
 namespace fettle::property {
 
-void ClassRegistry::declare_events(Class& of, std::vector<Event> wanted) {
+namespace {
+
+/// In a class that has the event, also an inherited one: in the list and in the index.
+constexpr std::int64_t weight_in_class = 64;
+
+std::int64_t weight_of_event(const Event& event) {
+    std::size_t bytes = sizeof(Event) + event.name.size() + event.doc.size();
+    for (const Field& field : event.fields)
+        bytes += 2 * (sizeof(Field) + field.name.size() + field.reference_class.size());
+    return static_cast<std::int64_t>(bytes);
+}
+
+}  // namespace
+
+std::int64_t ClassRegistry::declare_events(Class& of, std::vector<Event> wanted) {
     const std::vector<Class*> all = with_derived(of);
     for (const Event& event : wanted) {
         if (!is_word(event.name))
@@ -33,7 +47,9 @@ void ClassRegistry::declare_events(Class& of, std::vector<Event> wanted) {
             each->event_index_.erase(known.symbol);
         }
     }
+    std::int64_t weight = 0;
     for (Event& event : wanted) {
+        weight += weight_of_event(event) + weight_in_class * static_cast<std::int64_t>(all.size());
         // Handlers keep the address of an event, so one that comes again has the same.
         auto kept = std::find_if(late_events_.begin(), late_events_.end(), [&](const Event& each) {
             return each.owner == &of && each.name == event.name;
@@ -52,6 +68,7 @@ void ClassRegistry::declare_events(Class& of, std::vector<Event> wanted) {
             each->event_index_[kept->symbol] = &*kept;
         }
     }
+    return weight;
 }
 
 }  // namespace fettle::property

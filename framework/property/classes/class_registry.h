@@ -19,7 +19,8 @@ class ClassRegistry {
     /// Replaces the properties of a class that a script has defined; see redefinition.h.
     void redefine(Class& of, std::vector<Property> wanted);
     /// Replaces the events of a class that a script has defined; see redefinition.h.
-    void declare_events(Class& of, std::vector<Event> wanted);
+    /// Returns about the memory that they take, which is not freed when they are replaced.
+    std::int64_t declare_events(Class& of, std::vector<Event> wanted);
     Class& operator[](std::uint32_t id) { return *classes_[id]; }
     const Class& operator[](std::uint32_t id) const { return *classes_[id]; }
     std::uint32_t size() const { return static_cast<std::uint32_t>(classes_.size()); }

@@ -83,7 +83,7 @@ void redefine(Tree& tree, const Class& of, std::vector<Property> own) {
 void declare_events(Tree& tree, const Class& of, std::vector<Event> own) {
     tree.require_changeable("define a class");
     ClassRegistry& classes = tree.state().instances.classes;
-    classes.declare_events(classes[of.id()], std::move(own));
+    tree.add_weight(classes.declare_events(classes[of.id()], std::move(own)));
 }
 
 }  // namespace fettle::property

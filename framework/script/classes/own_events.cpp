@@ -19,8 +19,8 @@ namespace {
 
 using OwnEvent = ScriptClasses::OwnEvent;
 
-constexpr std::size_t max_events = 1000;  // of a class
-constexpr std::size_t max_fields = 100;   // of an event
+constexpr std::size_t max_events = 100;  // of a class
+constexpr std::size_t max_fields = 32;   // of an event
 
 std::string named(const OwnEvent& event) {
     return "\"" + event.name + "\"";
