@@ -493,6 +493,11 @@ function fettle_Object:problem(property) end
 ---@return thread
 function fettle_Object:run(action) end
 
+---Lets the instance have an event that its class declares, as in class("Foe", Body) { events = { "died", hit = { by = "", damage = 0 } } }. What `data` leaves out has the value of the declaration. Handlers are called at the end of the step, as for other events.
+---@param event string
+---@param data? table
+function fettle_Object:send(event, data) end
+
 ---The same as tween(instance, ...): moves a property to a value. It ends with the instance.
 ---@param property string
 ---@param to any

@@ -94,7 +94,8 @@ PackageFacts facts_of(const fs::path& game) {
     return {.name = on_one_line(name),
             .id = file_name_of(name, settings.id),
             .version = version_of(settings.version),
-            .maintainer = maintainer_of(settings.author)};
+            .maintainer = maintainer_of(settings.author),
+            .icon = settings.icon};
 }
 
 void print_left_out(const PackedGame& packed) {

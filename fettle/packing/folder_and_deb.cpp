@@ -3,6 +3,7 @@
 #include <link.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,17 @@ namespace fettle::program {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// The libraries in a package are those of this system, and need its libc or a newer one.
+std::string needed_libc() {
+    std::array<char, 64> version{};  // "glibc 2.36"
+    if (::confstr(_CS_GNU_LIBC_VERSION, version.data(), version.size()) == 0) return "libc6";
+    const std::string_view text(version.data());
+    const std::size_t blank = text.find(' ');
+    return blank == std::string_view::npos
+               ? "libc6"
+               : "libc6 (>= " + std::string(text.substr(blank + 1)) + ")";
+}
 
 constexpr auto executable = fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
                             fs::perms::others_read | fs::perms::others_exec;
@@ -189,18 +201,21 @@ void make_debian_package(const fs::path& to, const PackageFacts& facts, const Ar
     write_start(root / "usr/games" / facts.id, place);
     write_with_folder(root / "usr/share/applications" / (facts.id + ".desktop"),
                       "[Desktop Entry]\nType=Application\nName=" + facts.name +
-                          "\nExec=/usr/games/" + facts.id + "\nCategories=Game;\nTerminal=false\n");
+                          "\nExec=/usr/games/" + facts.id +
+                          (facts.icon.empty() ? "" : "\nIcon=" + place + "/game/" + facts.icon) +
+                          "\nCategories=Game;\nTerminal=false\n");
     std::string architecture = "amd64";
 #ifdef __aarch64__
     architecture = "arm64";
 #endif
-    write_with_folder(
-        root / "DEBIAN/control",
-        "Package: " + facts.id + "\nVersion: " + facts.version + "\nArchitecture: " + architecture +
-            "\nMaintainer: " + facts.maintainer +
-            "\nSection: games\nPriority: optional\n"
-            "Depends: libc6, libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
-            facts.name + "\n A game made with Fettle.\n");
+    write_with_folder(root / "DEBIAN/control",
+                      "Package: " + facts.id + "\nVersion: " + facts.version +
+                          "\nArchitecture: " + architecture + "\nMaintainer: " + facts.maintainer +
+                          "\nSection: games\nPriority: optional\n"
+                          "Depends: " +
+                          needed_libc() +
+                          ", libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
+                          facts.name + "\n A game made with Fettle.\n");
     run_tool({"dpkg-deb", "--build", "--root-owner-group", "-Zgzip", root.string(), made.string()});
     fs::rename(made, to);
 }

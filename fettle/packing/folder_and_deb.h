@@ -14,6 +14,7 @@ struct PackageFacts {
     std::string id;          // of files: "cave-of-lanterns"
     std::string version;     // "1.0"
     std::string maintainer;  // "Ada <ada@example.org>"
+    std::string icon;        // a file of the game: "art/icon.png"; "" if it has none
 };
 
 /// The name of the file that starts the game in the folder: the id, unless a folder in it has that

@@ -2,7 +2,7 @@
 Night = class("Night", Object) {
     running = false, menu = "", choices = { "sparks" }, arena = 1, first = 1, clock = 0.0, score = 0, kills = 0, crowd = 0, boss = false,
     rest = 0.0, streak = 0, streak_at = 0.0, won = false, rank = 0, open = 0.0, curtain = 0.0,
-    slowed = false, title = "", subtitle = "", said = -9.0,
+    slowed = false, title = "", subtitle = "", said = -9.0, lost = 0,
 }
 game.night, game.settings = Night {}, Object { shake = true }
 audio.buses.effects.volume, audio.buses.music.volume = 0.8, 0.5      -- until the player moves the sliders, which are bound to them
@@ -54,12 +54,14 @@ end
 function Night:begin()
     reset()
     self.score, self.kills, self.rank, self.running, self.menu, world.arms.sparks.level = 0, 0, 0, true, "", 1
-    for _ = 1, 8 * (self.first - 1) do arms.take(arms.offer()[1]) end      -- who begins later begins with gifts
+    local gifts = 8 * (self.first - 1) + math.min(self.lost, 6)            -- who begins later, or has lost, begins with gifts
+    for _ = 1, gifts do arms.take(arms.offer()[1]) end
+    if gifts > 0 then effects.banner(arenas[self.first].title, gifts .. (gifts > 1 and " gifts" or " gift") .. " to begin with") end
 end
 
 function Night:finish(won)                       -- keeps the eight best scores
     local rows, mine = store.scores or {}, { score = self.score, arena = self.arena, kills = self.kills, won = won }
-    self.running, self.won, self.rank, self.menu = false, won, 1, ""
+    self.running, self.won, self.rank, self.menu, self.lost = false, won, 1, "", won and 0 or self.lost + 1
     while rows[self.rank] and rows[self.rank].score >= self.score do self.rank = self.rank + 1 end
     table.insert(rows, self.rank, mine)
     store.scores = table.move(rows, 1, 8, 1, {})

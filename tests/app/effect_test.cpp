@@ -82,6 +82,16 @@ TEST_CASE_METHOD(Shown, "an effect has the values that its code declares") {
                           "view.uniforms.strong: glow.frag declares no uniform of that name"});
 }
 
+TEST_CASE_METHOD(Shown, "a picture that an effect declares itself is reported as not there") {
+    write("glow.frag", "uniform sampler2D texture; uniform float strength;");
+    set("view.effect", Value("glow.frag"));
+    REQUIRE(now() != nullptr);
+    CHECK(problems ==
+          std::vector<std::string>{"view.effect: glow.frag declares a sampler2D \"texture\", which "
+                                   "has no picture; picture(point) is the color at a point, in "
+                                   "pixels"});
+}
+
 TEST_CASE_METHOD(Shown, "the uniforms of an effect are not reported while its code is in error") {
     write("glow.frag", "uniform float strength");
     set("view.effect", Value("glow.frag"));

@@ -43,6 +43,30 @@ TEST_CASE("a scene that cannot be loaded is not packed") {
     CHECK_FALSE(contains(made.out, "loading"));
 }
 
+TEST_CASE("a debian package needs the libc of its libraries and shows the icon of the game") {
+    if (std::system("command -v dpkg-deb >/dev/null") != 0) {
+        WARN("dpkg-deb is not here: nothing is tested");
+        return;
+    }
+    const Folder folder;
+    folder.write("game/main.lua", "");
+    folder.write("game/art/icon.bmp", "BM");
+    folder.write("game/game.json", R"({"name": "Cave", "icon": "art/icon.bmp"})");
+    const Outcome made = package(folder, "--deb", "cave.deb");
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    const std::string deb = quoted((folder / "cave.deb").string());
+    const auto read = [&](const std::string& command) {
+        const std::string to = (folder / "read").string();
+        CHECK(std::system((command + " >" + quoted(to)).c_str()) == 0);
+        return folder.text("read");
+    };
+    CHECK(read("dpkg-deb -f " + deb + " Depends").starts_with("libc6 (>= 2."));
+    CHECK(contains(
+        read("dpkg-deb --fsys-tarfile " + deb + " | tar -xO ./usr/share/applications/cave.desktop"),
+        "\nIcon=/usr/lib/cave/game/art/icon.bmp\n"));
+}
+
 TEST_CASE("a game with scenes that cannot be loaded itself is not packed") {
     const Folder folder;
     folder.write("game/main.lua", "error('no luck', 0)");

@@ -189,6 +189,21 @@ TEST_CASE("one replacement of a text takes no more memory than a game may have")
          (in_pieces && contains(run.err, stopped + "ran "))));
 }
 
+TEST_CASE("many deleted instances with very long paths take no more memory than a game may have") {
+    const Folder folder;
+    folder.write("game/main.lua",
+                 "local p, n, all = world, ('n'):rep(1000), {} "
+                 "for i = 1, 900 do p[n] = Object { } p = p[n] end "
+                 "for i = 1, 3000 do all[i] = p:add(Object { }) end "
+                 "function step() for i = 1, 1000 do all[#all]:delete() all[#all] = nil end end");
+    const Outcome run = fettle(folder,
+                               {"run", (folder / "game").string(), "--sandbox", "--headless",
+                                "--steps", "3", "--budget", "120000"},
+                               limited_memory);
+    CAPTURE(run.err);
+    CHECK(run.status == 0);
+}
+
 TEST_CASE("an error shows the beginning of a local variable with a very long path") {
     const Folder folder;
     const Outcome run = play(folder,

@@ -23,6 +23,12 @@ TEST_CASE("names that other frameworks use lead to the property of the class") {
         {"Body { friction = 1 }", "; its shapes have it, as in Circle { friction = ... }"},
         {"Body { visible = false }", "; its shapes have it, as in Circle { visible = ... }"},
         {"Body { radius = 1 }", "; its shapes have it, as in "},
+        {"Tilemap { position = vec(0, 0) }",
+         "Tilemap has no property \"position\" (did you mean corner?)"},
+        {"Layer { position = vec(0, 0) }",  // drawn_position is a method
+         "Layer has no property \"position\"; a property of your own goes into props = "},
+        {"Sprite { sheet = 'walk.json' }",
+         "got text \"walk.json\"; did you mean image = \"walk.json\"?"},
         {"Sprite { lives = 3 }", "; a property of your own goes into props = { lives = ... }"},
     }));
     INFO(code);

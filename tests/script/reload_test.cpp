@@ -450,4 +450,30 @@ TEST_CASE("a game cannot be loaded again while its script runs or before it is l
     CHECK_THROWS_WITH(s.runtime->reload({}), contains("only when one is loaded"));
 }
 
+TEST_CASE("events of a class are declared again in place and keep their handlers") {
+    const auto code = [](const std::string& events) {
+        return "Foe = class('Foe', Object) { events = { " + events +
+               " } } world.ogre = Foe { } told = 0";
+    };
+    Game game(code("hit = { damage = 1 }"));
+    game.run("world.ogre:on('hit', function(event) told = event.damage end)");
+    CHECK(game.change(code("hit = { damage = 2, by = '' }, 'died'")).empty());
+    game.run("world.ogre:send('hit', { by = 'x' }) world.ogre:send('died')");
+    game.step();
+    CHECK(game.prints("print(told)") == "2");
+    CHECK(game.change(code("'died'")).empty());
+    CHECK_THAT(game.fails("world.ogre:send('hit')"), contains("declares no event \"hit\""));
+    CHECK(game.change(code("hit = { damage = 7 }")).empty());
+    game.run("world.ogre:send('hit')");
+    game.step();
+    CHECK(game.prints("print(told)") == "7");
+    // A file in error changes nothing.
+    CHECK_THAT(game.change(code("hit = { damage = 9 }") + " error('no')"), contains("no"));
+    game.run("world.ogre:send('hit')");
+    game.step();
+    CHECK(game.prints("print(told)") == "7");
+    CHECK(game.change("Foe = class('Foe', Object) { hit = 3 } world.ogre = Foe { }").empty());
+    CHECK(game.number("world.ogre.hit") == 3);
+}
+
 }  // namespace reload_test

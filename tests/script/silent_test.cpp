@@ -185,16 +185,6 @@ TEST_CASE("another base of a class names the first one, and a reload the way out
     CHECK_THAT(result.error->message, contains("restart() in the console begins the game again"));
 }
 
-TEST_CASE("a list called events in a class is noted unless it holds other things than texts") {
-    Game game;
-    REQUIRE(
-        game.load("Foe = class('Foe', Body) { events = { 'hit' } }\n"
-                  "Month = class('Month', Object) { events = { 1, 2 } }"));
-    REQUIRE(game.notes.size() == 1);
-    CHECK_THAT(game.notes[0],
-               stage::starts_with("main.lua:1: Foe.events is a list like any other"));
-}
-
 TEST_CASE("a coroutine can be stopped as a timer can") {
     Stage s;
     s.run(

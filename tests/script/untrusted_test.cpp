@@ -118,6 +118,46 @@ TEST_CASE("memory is limited over all calls and not only in one") {
         contains("main.lua:1: ") && contains("the scripts of a game may use, 48 MB; Lua has 4"));
 }
 
+TEST_CASE("events that wait for the end of a step count as memory of an untrusted game") {
+    auto options = limited();
+    options.limits.instructions = std::uint64_t{1} << 50;
+    Stage s(options);
+    s.run(
+        "world.foe = class('Foe', Object) { events = { hit = { by = '' } } } { }\n"
+        "world.foe:on('hit', function() end) long = ('x'):rep(1000)\n"
+        "function update() for i = 1, count do world.foe:send('hit', { by = long }) end end "
+        "count = 100");
+    for (int i = 0; i < 1000; ++i) {
+        REQUIRE(s.runtime->call("update", {}));
+        s.step();
+    }
+    s.run("count = 1e6");
+    CHECK_FALSE(s.runtime->call("update", {}));
+    CHECK_THAT(s.errors.front().message, contains("main.lua:3: stopped: it needs more memory than "
+                                                  "the scripts of a game may"));
+}
+
+TEST_CASE("events that classes declare count as memory of an untrusted game") {
+    auto options = limited();
+    options.limits.instructions = std::uint64_t{1} << 50;
+    Stage s(options);
+    const std::string attack =
+        GENERATE(as<std::string>{}, "class('C' .. n, Object) { events = events }",
+                 "class('C' .. n, n > 1 and 'C' .. n - 1 or Object) { events = { 'e' .. n } }");
+    CAPTURE(attack);
+    s.run(
+        "events, n = {}, 0 for e = 1, 100 do local fields = {} "
+        "for f = 1, 32 do fields['field' .. f] = 0 end events['event' .. e] = fields end\n"
+        "function update() n = n + 1 " +
+        attack + " end");
+    int calls = 0;
+    while (calls < 3000 && s.runtime->call("update", {})) ++calls;
+    CHECK(calls < 3000);
+    REQUIRE_FALSE(s.errors.empty());
+    CHECK_THAT(s.errors.front().message, contains("main.lua:2: stopped: it needs more memory than "
+                                                  "the scripts of a game may"));
+}
+
 TEST_CASE("the numbers of instances and handlers and timers of an untrusted game are limited") {
     const auto [attack, what] = GENERATE(table<std::string, std::string>({
         {"for i = 1, 3000 do all[#all + 1] = world:add(Object { }) end", "instances"},

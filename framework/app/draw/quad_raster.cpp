@@ -105,6 +105,30 @@ Place place(float texel, int size, bool smooth) {
     return {before, static_cast<std::int16_t>(at - before * parts)};
 }
 
+using Four = float __attribute__((vector_size(16)));
+using FourInts = std::int32_t __attribute__((vector_size(16)));
+
+struct FourPlaces {
+    FourInts before, weight;
+};
+
+/// The same for four texels.
+FourPlaces places(Four texel, int size, bool smooth) {
+    const Four most = Four{} + static_cast<float>((size - 1) * parts);
+    Four wanted = texel * parts - parts / 2;
+    if (!smooth) {
+        const Four cut = __builtin_convertvector(__builtin_convertvector(texel, FourInts), Four);
+        wanted = (cut > texel ? cut - 1 : cut) * parts;
+    }
+    wanted = wanted < 0 ? Four{} : wanted;
+    wanted = wanted > most ? most : wanted;
+    const FourInts at = __builtin_convertvector(wanted, FourInts);
+    const FourInts last = FourInts{} + (size - 2);
+    const FourInts part = at >> part_bits;
+    const FourInts before = part > last ? last : part;
+    return {before, at - before * parts};
+}
+
 /// The first pixel whose middle is not before `x`.
 int first_from(float x, int lower, int upper) {
     const float inside = std::clamp(x - 0.5f, static_cast<float>(lower), static_cast<float>(upper));
@@ -114,6 +138,27 @@ int first_from(float x, int lower, int upper) {
 
 bool is_upright(const CanvasVertex* c) {
     return c[0].y == c[1].y && c[1].x == c[2].x && c[2].y == c[3].y && c[3].x == c[0].x;
+}
+
+/// Pixels of a row, from the first one to that after the last.
+struct Row {
+    int from, to;
+};
+
+int floor_of(float x) {
+    const int cut = static_cast<int>(x);
+    return cut - (static_cast<float>(cut) > x ? 1 : 0);
+}
+
+/// Leaves out pixels at which (x + 0.5 - origin) * slope + rest is not from 0 to 1, but none at
+/// which rounding decides. `per_slope`: 1 / slope.
+void narrow(Row& row, float per_slope, float rest, float origin) {
+    constexpr float rounding = 0.01f, largest = 1e4f;
+    if (!(std::abs(per_slope) < largest)) return;
+    const float one = origin - 0.5f - rest * per_slope, other = one + per_slope;
+    if (!(std::abs(one) < 1e5f && std::abs(other) < 1e5f)) return;
+    row.from = std::max(row.from, floor_of(std::min(one, other) - rounding));
+    row.to = std::min(row.to, floor_of(std::max(one, other) + rounding) + 1);
 }
 
 Channels tint_of(const CanvasVertex& c) {
@@ -157,6 +202,7 @@ void QuadRaster::draw(std::span<const CanvasVertex> corners, const TexelRows& te
     const std::size_t wide = static_cast<std::size_t>(box_.width());
     pixels_.assign(wide * static_cast<std::size_t>(box_.height()) * 4, 0);
     columns_.resize(wide + 1);
+    spots_.resize(wide + 4);
     adds ? draw_all<true>(corners) : draw_all<false>(corners);
 }
 
@@ -228,22 +274,59 @@ void QuadRaster::draw_turned(const CanvasVertex* c) {
     const int bottom = first_from(bottom_y, box_.top, box_.bottom);
     const float s_x = down_y / area, s_y = -down_x / area;
     const float t_x = -across_y / area, t_y = across_x / area;
+    const float per_s = 1 / s_x, per_t = 1 / t_x;
     const float wide = c[1].u - c[0].u, high = c[3].v - c[0].v;
     const Channels tint = tint_of(c[0]);
     const auto stride = static_cast<std::ptrdiff_t>(box_.width()) * 4;
     const std::ptrdiff_t length = texels_.row_length();
     for (int y = top; y < bottom; ++y) {
-        std::uint8_t* const row = pixels_.data() + (y - box_.top) * stride - 4 * box_.left;
         const float below = static_cast<float>(y) + 0.5f - c[0].y;
-        for (int x = left; x < right; ++x) {
-            const float beside = static_cast<float>(x) + 0.5f - c[0].x;
-            const float s = beside * s_x + below * s_y, t = beside * t_x + below * t_y;
-            if (!(s >= 0 && s < 1 && t >= 0 && t < 1)) continue;
-            const Place u = place(c[0].u + s * wide, texels_.width, texels_.smooth);
-            const Place v = place(c[0].v + t * high, texels_.height, texels_.smooth);
-            const std::uint8_t* const upper = texels_.rgba + v.before * length + 4 * u.before;
-            const SignedChannels found = mixed(load(upper), load(upper + length), all(v.weight));
-            put_one<adds>(row + 4 * x, mixed(found, second_of(found, found), all(u.weight)), tint);
+        const auto s_at = [&](int x) {
+            return (static_cast<float>(x) + 0.5f - c[0].x) * s_x + below * s_y;
+        };
+        const auto t_at = [&](int x) {
+            return (static_cast<float>(x) + 0.5f - c[0].x) * t_x + below * t_y;
+        };
+        const auto is_inside = [&](int x) {
+            const float s = s_at(x), t = t_at(x);
+            return s >= 0 && s < 1 && t >= 0 && t < 1;
+        };
+        // s and t rise or fall along a row, so the pixels inside are neighbors.
+        Row inside{left, right};
+        narrow(inside, per_s, below * s_y, c[0].x);
+        narrow(inside, per_t, below * t_y, c[0].x);
+        while (inside.from < inside.to && !is_inside(inside.from)) ++inside.from;
+        while (inside.from < inside.to && !is_inside(inside.to - 1)) --inside.to;
+        if (inside.from >= inside.to) continue;
+        for (int x = inside.from; x < inside.to; x += 4) {
+            const Four beside = Four{0, 1, 2, 3} + (static_cast<float>(x) + 0.5f) - c[0].x;
+            const FourPlaces u =
+                places(c[0].u + (beside * s_x + below * s_y) * wide, texels_.width, texels_.smooth);
+            const FourPlaces v = places(c[0].v + (beside * t_x + below * t_y) * high,
+                                        texels_.height, texels_.smooth);
+            const FourInts offsets = v.before * static_cast<int>(length) + u.before * 4;
+            for (int k = 0; k < 4; ++k)
+                spots_[static_cast<std::size_t>(x - inside.from + k)] = {
+                    offsets[k], static_cast<std::int16_t>(u.weight[k]),
+                    static_cast<std::int16_t>(v.weight[k])};
+        }
+        std::uint8_t* to = pixels_.data() + (y - box_.top) * stride + 4 * (inside.from - box_.left);
+        const auto texture = [&](const Spot& spot) {
+            const std::uint8_t* const upper = texels_.rgba + spot.offset;
+            return mixed(load(upper), load(upper + length), all(spot.down));
+        };
+        const Spot* spot = spots_.data();
+        int left_over = inside.to - inside.from;
+        for (; left_over > 1; left_over -= 2, spot += 2, to += 8) {
+            const SignedChannels first = texture(spot[0]), second = texture(spot[1]);
+            put_two<adds>(to,
+                          mixed(first_of(first, second), second_of(first, second),
+                                first_of(all(spot[0].across), all(spot[1].across))),
+                          tint);
+        }
+        if (left_over > 0) {
+            const SignedChannels found = texture(*spot);
+            put_one<adds>(to, mixed(found, second_of(found, found), all(spot->across)), tint);
         }
     }
 }

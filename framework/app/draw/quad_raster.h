@@ -49,6 +49,12 @@ class QuadRaster {
         int offset = 0;  // bytes from the beginning of a row
         std::int16_t weight = 0;
     };
+    /// Where a pixel of a row is in the texture, and how much of the texels to its right and below
+    /// it has.
+    struct Spot {
+        int offset = 0;  // bytes
+        std::int16_t across = 0, down = 0;
+    };
     template <bool adds>
     void draw_all(std::span<const CanvasVertex> corners);
     template <bool adds>
@@ -62,6 +68,7 @@ class QuadRaster {
     TexelRows texels_{};
     std::vector<std::uint8_t> pixels_{};
     std::vector<Column> columns_{};
+    std::vector<Spot> spots_{};
 };
 
 }  // namespace fettle::app

@@ -122,6 +122,12 @@ void Effects::read() {
 void Effects::set_uniforms() {
     effect_.uniforms.clear();
     wrong_uniforms_.clear();
+    for (const auto& [name, type] : declared_)
+        if (type.starts_with("sampler"))
+            wrong_uniforms_.push_back("view.effect: " + effect_.name + " declares a " + type +
+                                      " \"" + name +
+                                      "\", which has no picture; picture(point) is "
+                                      "the color at a point, in pixels");
     const Handle uniforms = tree_.child(tree_.child(tree_.root(), "view"), "uniforms");
     if (!uniforms) return;
     for (const property::Property* each : tree_.ad_hoc(uniforms)) {

@@ -179,8 +179,8 @@ std::int64_t ClassRegistry::weight_of(const Class& of) {
     std::size_t text = of.name().size() + of.doc().size();
     for (const Property& property : of.own_properties_)
         text += property.name.size() + property.doc.size();
-    const auto properties = static_cast<std::int64_t>(of.properties_.size());
-    return weight_of_class + properties * weight_of_inherited + static_cast<std::int64_t>(text);
+    const auto members = static_cast<std::int64_t>(of.properties_.size() + of.events_.size());
+    return weight_of_class + members * weight_of_inherited + static_cast<std::int64_t>(text);
 }
 
 /// Connects each event `*_begin` with its `*_end`.

@@ -18,6 +18,9 @@ class ClassRegistry {
     Class* find(std::string_view name) const;
     /// Replaces the properties of a class that a script has defined; see redefinition.h.
     void redefine(Class& of, std::vector<Property> wanted);
+    /// Replaces the events of a class that a script has defined; see redefinition.h.
+    /// Returns about the memory that they take, which is not freed when they are replaced.
+    std::int64_t declare_events(Class& of, std::vector<Event> wanted);
     Class& operator[](std::uint32_t id) { return *classes_[id]; }
     const Class& operator[](std::uint32_t id) const { return *classes_[id]; }
     std::uint32_t size() const { return static_cast<std::uint32_t>(classes_.size()); }
@@ -57,6 +60,7 @@ class ClassRegistry {
     std::vector<std::unique_ptr<Class>> classes_;
     std::unordered_map<std::string, Class*> by_name_;
     std::vector<const Class*> ended_;
+    std::deque<Event> late_events_;  // of classes of scripts, also those declared no more
 };
 
 }  // namespace fettle::property

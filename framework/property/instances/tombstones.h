@@ -20,12 +20,18 @@ struct Tombstone {
 
 class Tombstones {
   public:
-    /// Only the latest deletions are kept.
+    /// Only the latest deletions are kept: fewer if their names and paths are long, since a path
+    /// may have a million characters.
     static constexpr std::size_t max_count = 8192;
+    static constexpr std::size_t max_bytes = std::size_t{16} << 20;
 
     void add(Tombstone gone) {
+        bytes_ += bytes_of(gone);
         latest_.push_back(std::move(gone));
-        if (latest_.size() > max_count) latest_.pop_front();
+        while (latest_.size() > max_count || (bytes_ > max_bytes && latest_.size() > 1)) {
+            bytes_ -= bytes_of(latest_.front());
+            latest_.pop_front();
+        }
     }
     /// nullptr if the instance lives or was deleted too long ago.
     const Tombstone* find(Handle handle) const {
@@ -35,7 +41,12 @@ class Tombstones {
     }
 
   private:
+    static std::size_t bytes_of(const Tombstone& gone) {
+        return gone.name.size() + gone.path.size();
+    }
+
     std::deque<Tombstone> latest_;
+    std::size_t bytes_ = 0;
 };
 
 }  // namespace fettle::property

@@ -21,9 +21,11 @@ std::string Structure::destroy_below(std::uint32_t top) {
         nodes[i].being_deleted = 1;
     });
     const Cause by = changes.author.cause();
+    // No message is written after the end of the tree.
+    const std::size_t remembered = changes.lifetime.ending ? 0 : Tombstones::max_count;
     std::string problem;
     for (std::size_t left = order.size(); left > 0; --left)
-        destroy_one(order[left - 1], by, left <= Tombstones::max_count, problem);
+        destroy_one(order[left - 1], by, left <= remembered, problem);
     return problem;
 }
 

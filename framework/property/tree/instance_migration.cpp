@@ -80,4 +80,10 @@ void redefine(Tree& tree, const Class& of, std::vector<Property> own) {
     ++s.structure.version;
 }
 
+void declare_events(Tree& tree, const Class& of, std::vector<Event> own) {
+    tree.require_changeable("define a class");
+    ClassRegistry& classes = tree.state().instances.classes;
+    tree.add_weight(classes.declare_events(classes[of.id()], std::move(own)));
+}
+
 }  // namespace fettle::property

@@ -6,6 +6,7 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/class_definition.h>
+#include <classes/own_events.h>
 #include <classes/script_classes.h>
 #include <handlers/formulas.h>
 #include <lua/exception_guard.h>
@@ -36,23 +37,6 @@ Value default_of(lua_State* L, const std::string& class_name, const std::string&
                 "give a plain value here and the formula to the instance, in function " +
                 class_name + ":ready() or in the constructor");
     return to_value(L, -1, [&] { return class_name + "." + name; });
-}
-
-// The property from `name = value` in a class; the value is at the top of the stack.
-Property declared(lua_State* L, const std::string& class_name, const std::string& name) {
-    Property property;
-    property.name = name;
-    property.infinity = true;
-    if (const Class* of = class_object_at(L, -1)) {
-        property.type = Type::reference;
-        property.reference_class = of->name();
-        property.nullable = true;
-        return property;
-    }
-    property.default_value = default_of(L, class_name, name);
-    property.type = property.default_value.type();
-    if (property.type == Type::reference) property.nullable = true;
-    return property;
 }
 
 std::vector<std::pair<std::string, std::string>> documentation(lua_State* L, int table,
@@ -129,6 +113,7 @@ void check_documented(const ScriptClasses::Definition& definition,
                       const std::vector<std::pair<std::string, std::string>>& docs) {
     std::vector<std::string> names;
     for (const Property& property : definition.properties) names.push_back(property.name);
+    for (const ScriptClasses::OwnEvent& event : definition.events) names.push_back(event.name);
     for (const auto& [name, doc] : docs)
         if (!among(names, name))
             throw Error(ErrorKind::unknown_name,
@@ -196,17 +181,6 @@ int not_defined_yet(lua_State* L) {
                                               name + " = class(\"" + name + "\", Body) { }");
 }
 
-/// `events = { "hit" }` looks like a declaration of events, and is a list.
-void note_events(Machine& machine, const std::string& class_name, const Property& property) {
-    if (property.name != "events" || property.type != Type::list || !machine.host.on_note) return;
-    for (const Value& each : property.default_value.list())
-        if (!each.is(Type::text)) return;
-    machine.host.on_note(position(machine.lua.running) + class_name +
-                         ".events is a list like any other: a class of a script has the events of "
-                         "its base, and declares none. For a signal of your own, watch a property: "
-                         "foe:watch(\"hits\", function(new) ... end)");
-}
-
 // Upvalues: name, base.
 int define_class(lua_State* L) {
     Machine& machine = machine_of(L);
@@ -222,9 +196,15 @@ int define_class(lua_State* L) {
     const auto docs = documentation(L, 1, definition.doc);
     std::vector<std::string> functions;
     const bool states = lua_getfield(L, 1, "states") == LUA_TTABLE && has_texts_as_keys(L, -1);
-    lua_pop(L, 1);
+    lua_getfield(L, 1, "events");
+    const bool events = declares_events(L, -1);
+    if (events) definition.events = events_at_top(L, definition.name);
+    lua_pop(L, 2);
+    for (ScriptClasses::OwnEvent& event : definition.events)
+        for (const auto& [name, doc] : docs)
+            if (name == event.name) event.doc = doc;
     for (const std::string& key : sorted_keys(L, 1, definition.name)) {
-        if (key == "doc" || (states && key == "states")) continue;
+        if (key == "doc" || (states && key == "states") || (events && key == "events")) continue;
         push_text(L, key);
         if (lua_rawget(L, 1) == LUA_TFUNCTION) {
             functions.push_back(key);
@@ -238,8 +218,7 @@ int define_class(lua_State* L) {
                 if (name == key) again.doc = doc;
             definition.properties.push_back(std::move(again));
         } else {
-            Property property = declared(L, definition.name, key);
-            note_events(machine, definition.name, property);
+            Property property = declared_property(L, definition.name, key);
             refuse_near_misses(machine.classes, *definition.base, definition.name, key,
                                property.type);
             for (const auto& [name, doc] : docs)
@@ -309,6 +288,22 @@ int class_function(lua_State* L) {
 }
 
 }  // namespace
+
+Property declared_property(lua_State* L, const std::string& class_name, const std::string& name) {
+    Property property;
+    property.name = name;
+    property.infinity = true;
+    if (const Class* of = class_object_at(L, -1)) {
+        property.type = Type::reference;
+        property.reference_class = of->name();
+        property.nullable = true;
+        return property;
+    }
+    property.default_value = default_of(L, class_name, name);
+    property.type = property.default_value.type();
+    if (property.type == Type::reference) property.nullable = true;
+    return property;
+}
 
 std::string why_not_creatable(const property::Tree& tree, const Class& of) {
     std::string made_of;

@@ -31,7 +31,10 @@ void ScriptClasses::begin_reload() {
         earlier.functions = std::exchange(own.functions, LUA_NOREF);
         earlier.states = std::exchange(own.states, LUA_NOREF);
         earlier.function_names = std::exchange(own.function_names, {});
-        if (own.scripted) earlier.properties = own_properties(*of);
+        if (own.scripted) {
+            earlier.properties = own_properties(*of);
+            earlier.events = own.events;
+        }
     }
     chains_.clear();
 }
@@ -44,7 +47,12 @@ void ScriptClasses::end_reload(bool keep) {
             std::swap(own.functions, earlier.functions);
             std::swap(own.states, earlier.states);
             own.function_names = std::move(earlier.function_names);
-            if (own.scripted) property::redefine(machine_.tree, *of, std::move(earlier.properties));
+            if (own.scripted) {
+                // Without events first: a property may take the name of one, and the other way.
+                declare_events(*of, {});
+                property::redefine(machine_.tree, *of, std::move(earlier.properties));
+                declare_events(*of, std::move(earlier.events));
+            }
         }
         luaL_unref(L, LUA_REGISTRYINDEX, earlier.functions);
         luaL_unref(L, LUA_REGISTRYINDEX, earlier.states);

@@ -5,6 +5,7 @@
 #include <fettle/property/spelling.h>
 
 #include <calls/protected.h>
+#include <classes/own_events.h>
 #include <classes/reflection.h>
 #include <classes/script_classes.h>
 #include <classes/unplaced_instances.h>
@@ -282,7 +283,9 @@ const Class& ScriptClasses::define(Definition definition) {
         if (existing->base() == definition.base) note_second(definition.name, first, place);
         if (existing->base() == definition.base && machine_.declarations.reloading()) {
             info(*existing).defaults.clear();
+            declare_events(*existing, {});  // a property may take the name of one
             property::redefine(machine_.tree, *existing, std::move(definition.properties));
+            declare_events(*existing, std::move(definition.events));
             machine_.members.clear();
             return *existing;
         }
@@ -291,6 +294,9 @@ const Class& ScriptClasses::define(Definition definition) {
             throw Error(ErrorKind::bad_name,
                         definition.name + ": exists already with other properties: " + how);
         Info& own = info(*existing);
+        if (const std::string how = difference(own.events, definition.events); !how.empty())
+            throw Error(ErrorKind::bad_name,
+                        definition.name + ": exists already with other events: " + how);
         own.defaults.clear();
         // In the order in which properties are set together.
         for (const Property* declared : existing->properties())
@@ -309,6 +315,7 @@ const Class& ScriptClasses::define(Definition definition) {
     const Class& made = machine_.tree.define(std::move(descriptor));
     Info& own = info(made);
     own.scripted = true;
+    declare_events(made, std::move(definition.events));
     observe(made);
     return made;
 }

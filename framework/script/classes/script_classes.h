@@ -52,16 +52,29 @@ class ScriptClasses {
         return unfinished_;
     }
 
+    /// An event that a class of a script declares. The default of a field is its value in an event
+    /// that is sent without it.
+    struct OwnEvent {
+        std::string name;
+        std::string doc;
+        std::vector<property::Property> fields;
+    };
     struct Definition {
         std::string name;
         const property::Class* base = nullptr;
         std::string doc;
         std::vector<property::Property> properties;  // an inherited name sets another default
+        std::vector<OwnEvent> events;
     };
     /// Defines a class. If it exists: during a reload it gets these properties; otherwise they must
     /// be the same.
     const property::Class& define(Definition definition);
     bool scripted(const property::Class& of) const;
+
+    /// The event of an instance that scripts may send: null if no class of a script declares it.
+    const OwnEvent* own_event(const property::Event& event) const;
+    /// Counts what an event takes that is going to be sent, until the end of the next barrier.
+    void weigh_sent(const std::vector<property::Value>& values);
 
     /// Pops the table of states at the top of the stack and gives it to the class, which must have
     /// `state_properties`.
@@ -136,6 +149,7 @@ class ScriptClasses {
         std::vector<std::string> connected;  // events with a handler for this class
         // Defaults that differ from those in the tree, because the class was defined again.
         std::vector<std::pair<const property::Property*, property::Value>> defaults;
+        std::vector<OwnEvent> events;
     };
 
     /// The former definition of a class, which `end_reload` may restore.
@@ -143,8 +157,10 @@ class ScriptClasses {
         int functions = LUA_NOREF, states = LUA_NOREF;
         std::vector<std::string> function_names;
         std::vector<property::Property> properties;  // of the class itself
+        std::vector<OwnEvent> events;
     };
     std::vector<property::Property> own_properties(const property::Class& of) const;
+    void declare_events(const property::Class& of, std::vector<OwnEvent> events);
     [[noreturn]] void refuse_base(const property::Class& existing, const std::string& first) const;
     void note_second(const std::string& name, const std::string& first,
                      const std::string& second) const;
@@ -177,6 +193,7 @@ class ScriptClasses {
     std::map<std::string, std::string> places_;  // of the classes that this load has defined
     bool any_functions_ = false;
     bool any_states_ = false;
+    std::shared_ptr<std::int64_t> sent_ = std::make_shared<std::int64_t>(0);  // bytes
     int changing_states_ = 0;                  // changes of states in progress
     std::vector<property::Handle> members_;    // instances of scripts' classes, oldest first
     std::unordered_set<std::uint64_t> known_;  // the same, by handle

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <library/pen.h>
 #include <lua/budget.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

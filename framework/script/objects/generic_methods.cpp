@@ -2,6 +2,7 @@
 #include <utility>
 
 #include <classes/class_definition.h>
+#include <classes/own_events.h>
 #include <classes/reflection.h>
 #include <classes/unplaced_instances.h>
 #include <handlers/formulas.h>
@@ -335,6 +336,7 @@ const GenericMethod methods[] = {
     {"on", guarded<effect<subscribe_event>>},
     {"problem", guarded<problem>},
     {"run", guarded<effect<run_of_instance>>},
+    {"send", guarded<effect<send_event>>},
     {"tween", guarded<effect<tween_function>>},
     {"watch", guarded<effect<subscribe_property>>},
 };

@@ -46,6 +46,17 @@ void Hints::forget() {
 
 // --- Properties
 
+namespace {
+
+/// What can be given a value, so no methods.
+std::vector<std::string> property_names(const Class& of) {
+    std::vector<std::string> names;
+    for (const property::Property* each : of.properties()) names.push_back(each->name);
+    return names;
+}
+
+}  // namespace
+
 /// The declared property that `name` probably means, as it would be written; "" if it is unclear.
 std::string Hints::meaning(const Class& of, std::string_view name) const {
     for (const std::string_view way : property_synonyms(name))
@@ -53,12 +64,12 @@ std::string Hints::meaning(const Class& of, std::string_view name) const {
     const std::string snake = snake_case(name);
     if (snake != name && of.property(snake) != nullptr) return snake;
     // Shorter names are similar to too many others.
-    return name.size() < 7 ? std::string() : property::nearest(name, of.member_names());
+    return name.size() < 7 ? std::string() : property::nearest(name, property_names(of));
 }
 
 std::string Hints::did_you_mean(const Class& of, std::string_view name) const {
     if (const std::string meant = meaning(of, name); !meant.empty()) return hint_of(meant);
-    if (std::string meant = property::suggestion(name, of.member_names()); !meant.empty())
+    if (std::string meant = property::suggestion(name, property_names(of)); !meant.empty())
         return meant;
     std::vector<std::string> events;
     for (const property::Event* event : of.events()) events.push_back(event->name);

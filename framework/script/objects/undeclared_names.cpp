@@ -137,7 +137,9 @@ void write_member(lua_State* L, Machine& machine, Handle instance, const Class& 
                   std::string_view name) {
     const auto where = [&] { return path_of(machine.tree, instance, name); };
     if (of.method(name) || generic_reference(L, machine, name) != LUA_NOREF)
-        throw Error(ErrorKind::bad_name, where() + ": is a method and cannot be assigned");
+        throw Error(ErrorKind::bad_name, where() +
+                                             ": is a method and cannot be assigned; a "
+                                             "property needs another name");
     if (const Handle child = child_of(machine, instance, name)) {
         write_child(L, machine, instance, child, name);
         return;

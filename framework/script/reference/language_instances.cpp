@@ -55,6 +55,11 @@ const std::vector<GlobalDoc>& instance_docs() {
         {"run", "run(self: Object, action: fun(self: Object)): thread",
          "Runs the function with the instance as a coroutine, which may call wait(). It ends "
          "where it waits when the instance is deleted, or by coroutine.close(thread)."},
+        {"send", "send(self: Object, event: string, data?: table)",
+         "Lets the instance have an event that its class declares, as in class(\"Foe\", Body) { "
+         "events = { \"died\", hit = { by = \"\", damage = 0 } } }. What `data` leaves out has the "
+         "value of the declaration. Handlers are called at the end of the step, as for other "
+         "events."},
         {"tween",
          "tween(self: Object, property: string, to: any, seconds: number, ease?: "
          "string|number[]|fun(time: number): number, options?: table): Tween",

@@ -14,9 +14,11 @@ struct Synonym {
 
 const std::vector<Synonym>& properties() {
     static const std::vector<Synonym> table = {
-        {"pos location place getposition transform", {"position", "center", "world", "offset"}},
+        {"pos location place getposition transform",
+         {"position", "center", "world", "offset", "corner"}},
         {"offset", {"center"}},
-        {"position", {"center", "world", "offset"}},  // of the view, the mouse and widgets
+        // of the view, the mouse, widgets and maps
+        {"position", {"center", "world", "offset", "corner"}},
         {"x y", {"position = vec(x, y)", "center = vec(x, y)", "offset = vec(x, y)", "world"}},
         {"rot rotation rotationdegrees globalrotation orientation heading direction", {"angle"}},
         {"vel linearvelocity", {"velocity"}},

@@ -23,8 +23,16 @@ void Declarations::begin(bool reload) {
 
 Declarations::All Declarations::end() {
     if (phase_ == Phase::first) note_lists();
-    for (Declared& each : all_)
-        if (tree_.alive(each.instance)) each.path = future_path(each.instance);
+    // A path may have a million characters. In a game with too many long ones the others stay
+    // empty, and a reload makes these instances anew.
+    constexpr std::size_t most = std::size_t{64} << 20;
+    std::size_t bytes = 0;
+    for (Declared& each : all_) {
+        if (!tree_.alive(each.instance)) continue;
+        each.path = future_path(each.instance);
+        bytes += each.path.size();
+        if (bytes > most) break;
+    }
     phase_ = Phase::none;
     recording_.declaring = false;
     std::erase_if(all_, [this](const Declared& each) { return !tree_.alive(each.instance); });

@@ -39,7 +39,7 @@ class Declarations {
     struct Declared {
         property::Handle instance;
         const property::Class* of = nullptr;
-        std::string path;   // its place when the top level ended; "" if it had none
+        std::string path;   // its place when the top level ended; "" if it had none or is not noted
         bool made = false;  // by the top level
         std::map<std::string, Assignment> assignments;
     };

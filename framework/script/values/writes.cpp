@@ -61,15 +61,27 @@ std::string meaning_of_instance(const property::Tree& tree, Handle instance,
            ", so a child needs another name";
 }
 
+/// What was probably meant with the name of a picture in the place of another value.
+std::string meaning_of_file(const property::Tree& tree, Handle instance, const Value& value) {
+    const Property* const image = tree.find(instance, "image");
+    if (image == nullptr || image->type != property::Type::text) return {};
+    const std::string& name = value.text();
+    for (const std::string_view ending : {".json", ".png", ".jpg", ".jpeg", ".bmp", ".tga"})
+        if (name.ends_with(ending)) return "; did you mean image = \"" + name + "\"?";
+    return {};
+}
+
 template <class Write>
 void explained(property::Tree& tree, Handle instance, const Property& property, const Value& value,
                Write write) {
     try {
         write();
     } catch (const Error& error) {
-        if (error.kind() != ErrorKind::wrong_type || !value.is(property::Type::reference) ||
-            property.type == property::Type::reference || !tree.alive(value.reference()) ||
-            !tree.alive(instance))
+        if (error.kind() != ErrorKind::wrong_type || !tree.alive(instance)) throw;
+        if (value.is(property::Type::text))
+            throw Error(error.kind(), error.what() + meaning_of_file(tree, instance, value));
+        if (!value.is(property::Type::reference) || property.type == property::Type::reference ||
+            !tree.alive(value.reference()))
             throw;
         throw Error(error.kind(), error.what() + meaning_of_instance(tree, instance, property,
                                                                      value.reference()));

@@ -11,9 +11,30 @@ test("who stands still in the dark is put out, and begins again", function(t)
     t:tap("enter")
     t:steps(5)
     expect(night.running):is(true)
-    expect(world.hero.hp):is(100)
+    expect(world.hero.hp):is(world.hero.max_hp)
     expect(night.score):is(0)
     expect(#world.swarm:children()):below(3)
+end)
+
+test("each lost night gives one gift more to begin with, up to six, until one is won", function(t)
+    local function gifts()
+        local sum = -1                           -- the sparks with which every night begins
+        for _, arm in ipairs(world.arms:children()) do sum = sum + arm.level end
+        return sum
+    end
+    bot.begin(t)
+    for lost = 1, 8 do
+        expect(gifts()):is(math.min(lost - 1, 6))
+        world.hero.hp, world.hero.mercy = 1, 0
+        world.hero:hurt(5)
+        t:wait_until(function() return night.menu == "over" end, 10)
+        t:steps(20)
+        t:tap("enter")
+        t:steps(5)
+    end
+    expect(night.subtitle):is("6 gifts to begin with")
+    night:finish(true)
+    expect(night.lost):is(0)
 end)
 
 test("each night that ends is among the eight best, or is forgotten", function(t)

@@ -17,6 +17,11 @@ namespace fettle::property {
 /// for a name that a derived class or a child of an instance has.
 void redefine(Tree& tree, const Class& of, std::vector<Property> own);
 
+/// Replaces the events that a class without a module declares itself. An event of a name that was
+/// there before keeps its handlers. Throws Error, and has changed nothing, for a name that the
+/// class, its base or a derived class has for something else.
+void declare_events(Tree& tree, const Class& of, std::vector<Event> own);
+
 }  // namespace fettle::property
 
 FETTLE_PROPERTY_END
