@@ -26,6 +26,8 @@ std::optional<Finding> compare_runs(const WorldPlan& plan) {
         others.push_back({"on two threads", on_threads(2)});
         others.push_back({"on three threads", on_threads(3)});
     }
+    others.push_back({"when it is read after edits", std::make_unique<FettleWorld>(plan)});
+    others.back().world->read_after_edits();
     for (int step = 0; step < plan.steps; ++step) {
         if (step == plan.steps / 2) {
             others.push_back({"in a restored world", first.restored()});

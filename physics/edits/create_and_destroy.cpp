@@ -266,6 +266,7 @@ void set_form(const Editing& e, uint32_t slot, const Geometry& geometry,
         e.broad_phase.boxes[slot] = e.broad_phase.fat_boxes[slot] = no_box;
         objects.forms[slot].radius = 0.0f;
         write_outline(objects, e.active, slot, outline);
+        if (objects.forms[slot].body != none) refresh_shape(e, slot);
         return;
     }
     reserve_vertices(objects, slot, std::max(count, room));
@@ -295,6 +296,9 @@ void destroy_shape(const Editing& e, uint32_t shape) {
 
 void attach_shape(const Editing& e, uint32_t shape, uint32_t body) {
     if (e.objects.forms[shape].body != none) detach_shape(e, shape);
+    // Not later: the slots of the parts, and with them the order of pairs, must not depend on when
+    // the world is read.
+    if (!e.objects.is_solid(shape)) refresh_shape(e, shape);
     if (!e.objects.bodies[body].flags.never_awake) wake_for_edit(e.activity, body);
     link_shape(e.objects, shape, body);
     if (!e.objects.is_solid(shape))

@@ -179,6 +179,8 @@ void Shape::set_vertices(std::span<const Vec2> given) {
             check_chain(points, record.closed);
         geometry_changed(data, id_.index);
         data.change<write_outline>(id_.index, points);
+        // The number of its parts is not known before they are made.
+        if (record.type == ShapeType::concave) data.change<detail::refresh_shape>(id_.index);
         return;
     }
     check_vertices(points);

@@ -35,7 +35,11 @@ std::vector<Bound> Moving::bounds(Vec2 motion, bool with_distance) const {
         all.push_back({plane.normal, least});
         if (!settings_.walks || !is_steep(plane)) continue;
         const Vec2 aside = normalized(lateral(plane.normal));
-        if (dot(aside, motion) < 0.0f) all.push_back({aside, 0.0f});
+        // The edge of a platform that the mover leaves goes on with the velocity of the platform.
+        float slope = 0.0f;
+        if (!with_distance && !obstacles_[plane.obstacle].dynamic)
+            slope = dot(aside, obstacles_.velocity_at(plane));
+        if (dot(aside, motion) < slope) all.push_back({aside, slope});
     }
     return all;
 }

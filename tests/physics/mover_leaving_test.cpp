@@ -66,6 +66,22 @@ TEST_CASE("a mover that leaves a lift keeps the speed of the lift") {
     REQUIRE(down.velocity.y == Approx(2).margin(0.2f));
 }
 
+TEST_CASE("a mover that walks off the rear edge of a platform keeps its speed over the ground") {
+    for (const float rate : {60.0f, 100.0f, 120.0f, 144.0f, 240.0f}) {
+        for (const float walk : {-4.0f, -1.0f, 4.0f}) {
+            INFO(rate << " Hz, walks with " << walk);
+            Ride ride(2, {10, 0});
+            Moved moved;
+            for (int i = 0; i < int(3 * rate) && ride.mover.on_ground(); ++i) {
+                moved = ride.mover.move(ride.world, {walk, 0}, 1 / rate);
+                ride.world.step(1 / rate);
+            }
+            REQUIRE_FALSE(moved.on_ground);
+            CHECK(moved.velocity.x == Approx(10 + walk).margin(0.1f));
+        }
+    }
+}
+
 TEST_CASE("a mover that walks off a moving platform keeps its speed over the ground") {
     Ride ride(2, {6, 0});
     for (int i = 0; i < 120 && ride.last.on_ground; ++i) {

@@ -92,21 +92,28 @@ void FettleWorld::edit(const Edit& edit) {
 }
 
 void FettleWorld::prepare(int step) {
-    for (std::size_t i = 0; i < plan_.bodies.size(); ++i)
-        if (plan_.bodies[i].born == step) make_body(i);
+    const auto read = [&] {
+        if (reads_) world_.refresh();
+    };
+    for (std::size_t i = 0; i < plan_.bodies.size(); ++i) {
+        if (plan_.bodies[i].born != step) continue;
+        make_body(i);
+        if (i % 3 == 0) read();
+    }
     for (std::size_t i = 0; i < plan_.joints.size(); ++i)
         if (plan_.joints[i].born == step) make_joint(i);
-    for (const Edit& each : plan_.edits)
-        if (each.step == step) edit(each);
+    for (const Edit& each : plan_.edits) {
+        if (each.step != step) continue;
+        edit(each);
+        read();
+    }
     for (std::size_t i = 0; i < plan_.bodies.size(); ++i) {
         const Swing& swing = plan_.bodies[i].swing;
         if (swing.hertz > 0 && world_.is_valid(ids_of_bodies_[i]))
             body(int(i)).set_velocity(swing.velocity(time_));
     }
     time_ += plan_.length_of(step);
-    // The moment of this update is part of the history, so it is the same in all runs, though only
-    // some of them are read.
-    world_.refresh();
+    read();
 }
 
 void FettleWorld::read(std::vector<BodyNow>& bodies) const {

@@ -19,6 +19,8 @@ class FettleWorld : public RunningWorld {
     void read(std::vector<BodyNow>& bodies) const override;
     World* fettle() override { return &world_; }
     const World& world() const { return world_; }
+    /// From now on the world is read after each edit, which must not change what happens.
+    void read_after_edits() { reads_ = true; }
 
     /// A world that is restored from the bytes of this one.
     std::unique_ptr<FettleWorld> restored() const;
@@ -36,6 +38,7 @@ class FettleWorld : public RunningWorld {
     std::vector<std::vector<ShapeId>> ids_of_shapes_;
     std::vector<JointId> ids_of_joints_;
     double time_ = 0;
+    bool reads_ = false;
 };
 
 }  // namespace fettle::bench::wild
