@@ -63,4 +63,13 @@ TEST_CASE("x and y are not taken for the last word of a name") {
     CHECK(fettle::property::suggestion("a", names) == " (did you mean \"body_a\"?)");
 }
 
+TEST_CASE("of several names that a name begins the shortest is meant") {
+    const std::vector<std::string> names = {"randomseed", "random", "randomness"};
+    CHECK(fettle::property::suggestion("rand", names) == " (did you mean \"random\"?)");
+    CHECK(fettle::property::suggestion("randoms", names) == " (did you mean \"random\"?)");
+    CHECK(fettle::property::suggestion("randomn", names) == " (did you mean \"random\"?)");
+    CHECK(fettle::property::suggestion("ra", names).empty());
+    CHECK(fettle::property::suggestion("r", {}).empty());
+}
+
 }  // namespace spelling_test

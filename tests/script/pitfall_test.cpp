@@ -196,6 +196,13 @@ TEST_CASE("a note names the instances that a game made and does not use") {
     CHECK(notes_about("-- start\nlocal function start() end") ==
           "main.lua:2: nothing calls start, because it is local: write function start(...)");
     CHECK(notes_about("local function step(n) end\nstep(3)") == "");
+    for (const char* const name : {"Update", "on_update", "_process"})
+        CHECK(notes_about("function " + std::string(name) + "() end") ==
+              "main.lua:1: nothing calls " + std::string(name) + " (did you mean update?)");
+    CHECK(notes_about("function FixedUpdate() end") ==
+          "main.lua:1: nothing calls FixedUpdate (did you mean step?)");
+    CHECK(notes_about("class('Foe', Body) { } function Foe:update() end") ==
+          "main.lua:1: nothing calls Foe:update (did you mean step?)");
 
     CHECK(notes_about("function key_pressed(k)\n  if k == 'Space' then end\nend") ==
           "main.lua:2: no key is called \"Space\" (did you mean \"space\"?)");

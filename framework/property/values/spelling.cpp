@@ -17,12 +17,16 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
                       [](char x, char y) { return lower(x) == lower(y); });
 }
 
+bool begins(std::string_view name, std::string_view longer) {
+    return longer.size() > name.size() && same_but_for_case(name, longer.substr(0, name.size()));
+}
+
 /// "frict" begins "friction"; "bounce" is the last word of "out_bounce", and "a" that of "body_a".
 /// "x" and "y" are more often meant as parts of a vector than as that of "locked_x".
 bool is_part(std::string_view name, std::string_view longer) {
     if (name.empty() || name == "x" || name == "y" || longer.size() <= name.size()) return false;
     const std::size_t more = longer.size() - name.size();
-    return (name.size() >= 3 && same_but_for_case(name, longer.substr(0, name.size()))) ||
+    return (name.size() >= 3 && begins(name, longer)) ||
            (longer[more - 1] == '_' && same_but_for_case(name, longer.substr(more)));
 }
 
@@ -119,7 +123,11 @@ std::string nearest(std::string_view name, std::span<const std::string> candidat
         if (distance >= std::max(name.size(), candidate.size())) distance = limit + 1;
         if (unlike(name, candidate)) distance = limit + 1;
         if (distance > limit && is_part(name, candidate)) distance = limit;
-        if (distance < best_distance) {
+        // "rand" is rather "random" than "randomseed".
+        const bool closer = best != nullptr && distance == best_distance &&
+                            begins(name, candidate) && begins(name, *best) &&
+                            candidate.size() < best->size();
+        if (distance < best_distance || closer) {
             best_distance = distance;
             best = &candidate;
         }

@@ -152,7 +152,8 @@ const std::vector<Synonym>& properties() {
 const std::vector<Synonym>& callbacks() {
     static const std::vector<Synonym> table = {
         {"load init initialize setup create awake begin main ready", {"start", "ready"}},
-        {"update tick process physicsprocess fixedupdate think", {"step", "update"}},
+        {"update tick process", {"update", "step"}},  // instances have only a step
+        {"physicsprocess fixedupdate think", {"step", "update"}},
         {"render paint redraw", {"draw"}},
         {"key keydown keypress keypressed input", {"key_pressed"}},
         {"keyup keyrelease keyreleased", {"key_released"}},
