@@ -235,6 +235,10 @@ struct Console::State {
     void draw_log(float log_height, float cell);
     void draw_filter(float& right, float em);
     void draw_title(float cell);
+    void draw_title_buttons(float& right);
+    void draw_inspector_button(float& right);
+    /// Moves `at` behind the path.
+    void draw_selected_path(ImVec2& at, float right, float cell);
     bool title_button(const char* label, bool lit, float& right);
     void draw_height_handle();
     void draw_time_bar(float right);

@@ -1,5 +1,7 @@
 // The title of the panel: what is selected, the field that filters the log, and buttons.
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -54,11 +56,8 @@ bool Console::State::title_button(const char* label, bool lit, float& right) {
     return pressed;
 }
 
-void Console::State::draw_title(float cell) {
-    ImVec2 at = ImGui::GetCursorScreenPos();
-    float content = ImGui::GetContentRegionAvail().x;
-    float right = at.x + content;
-    bool shown = settings.flag("inspector"), pauses = settings.flag("pauses");
+void Console::State::draw_inspector_button(float& right) {
+    const bool shown = settings.flag("inspector");
     const float right_of_button = right;
     screen.inspector_left_out = shown && status.drawn && screen.inspector_rect.empty();
     // Where it can be shown in place of the log, the button changes between the two.
@@ -67,16 +66,19 @@ void Console::State::draw_title(float cell) {
         if (!in_turn) settings.set("inspector", property::Value(!shown));
         status.inspector_over_log = !shown || !status.inspector_over_log;
     }
-    if (screen.inspector_left_out && !in_turn && right < right_of_button) {
-        // It is on, and struck out.
-        const Rect button = item_rect();
-        const float middle = std::round(button.middle().y);
-        ImGui::GetWindowDrawList()->AddLine(ImVec2(button.low.x + 2, middle),
-                                            ImVec2(button.high.x - 2, middle), palette::accent,
-                                            1.5f);
-        if (ImGui::IsItemHovered())
-            show_tip("the inspector has no room in this window: make it larger, or close a view");
-    }
+    if (!screen.inspector_left_out || in_turn || right >= right_of_button) return;
+    // It is on, and struck out.
+    const Rect button = item_rect();
+    const float middle = std::round(button.middle().y);
+    ImGui::GetWindowDrawList()->AddLine(ImVec2(button.low.x + 2, middle),
+                                        ImVec2(button.high.x - 2, middle), palette::accent, 1.5f);
+    if (ImGui::IsItemHovered())
+        show_tip("the inspector has no room in this window: make it larger, or close a view");
+}
+
+void Console::State::draw_title_buttons(float& right) {
+    draw_inspector_button(right);
+    const bool pauses = settings.flag("pauses");
     if (title_button("pause", pauses, right)) settings.set("pauses", property::Value(!pauses));
     if (views.overlay_bar.available()) {
         const int lit = views.overlay_bar.lit();
@@ -96,36 +98,45 @@ void Console::State::draw_title(float cell) {
             status.inspector_over_log = false;
         }
     }
+}
+
+void Console::State::draw_selected_path(ImVec2& at, float right, float cell) {
+    if (!tree.alive(inspector.selected())) return;
+    // In a narrow window the inspector below says it.
+    constexpr float least_cells = 12;
+    constexpr std::string_view it = "it = ";
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string path = tree.path(inspector.selected());
+    const float before = text_width(it), room = right - at.x - cell;
+    const float wide = std::min(before + text_width(path), room);
+    if (wide >= room && room < least_cells * cell) return;
+    draw_text(list, at, palette::accent, it);
+    draw_path_fit(list, ImVec2(at.x + before, at.y), palette::accent, path, wide - before);
+    at.x += wide + 3 * cell;
+}
+
+void Console::State::draw_title(float cell) {
+    const float content = ImGui::GetContentRegionAvail().x;
+    ImVec2 at = ImGui::GetCursorScreenPos();
+    float right = at.x + content;
+    at.y += 1;
+    draw_title_buttons(right);
     const float em = ImGui::GetFontSize();
     if (content > 46 * em) draw_filter(right, em);
 
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    float x = at.x;
     compat::push_font(ui.bold());
-    if (x + text_width("console") < right)
-        x += draw_text(list, ImVec2(x, at.y + 1), palette::text, "console");
+    if (at.x + text_width("console") < right) at.x += draw_text(list, at, palette::text, "console");
     ImGui::PopFont();
-    x += 2 * cell;
-    if (tree.alive(inspector.selected())) {
-        // In a narrow window the inspector below says it.
-        constexpr float least_cells = 12;
-        constexpr std::string_view it = "it = ";
-        const std::string path = tree.path(inspector.selected());
-        const float before = text_width(it), room = right - x - cell;
-        const float wide = std::min(before + text_width(path), room);
-        if (wide < room || room >= least_cells * cell) {
-            draw_text(list, ImVec2(x, at.y + 1), palette::accent, it);
-            draw_path_fit(list, ImVec2(x + before, at.y + 1), palette::accent, path, wide - before);
-            x += wide + 3 * cell;
-        }
-    }
+    at.x += 2 * cell;
+    draw_selected_path(at, right, cell);
     constexpr std::string_view hints = "Tab complete   ↑ history   Ctrl-R search   Esc close";
     const FontScope font(fonts().sans);
-    float hint_width = text_width(hints);
-    if (x + hint_width + 2 * cell < right)
-        draw_text(list, ImVec2(right - hint_width - cell, at.y + 1), palette::faint, hints);
+    const float hint_width = text_width(hints);
+    if (at.x + hint_width + 2 * cell < right)
+        draw_text(list, ImVec2(right - hint_width - cell, at.y), palette::faint, hints);
     ImGui::Dummy(ImVec2(content, button_height() + 2));
-    ImVec2 line = ImGui::GetCursorScreenPos();
+    const ImVec2 line = ImGui::GetCursorScreenPos();
     list.AddLine(ImVec2(screen.panel_rect.low.x, line.y - 2),
                  ImVec2(screen.panel_rect.high.x, line.y - 2), palette::line);
     ImGui::Dummy(ImVec2(1, 1));

@@ -113,88 +113,120 @@ bool Passages::is_past(const Passage& passage, const Moment& moment) const {
     });
 }
 
+namespace {
+
+/// The way of a deep point of a body in a step, in coordinates of an obstacle. Two bodies that move
+/// on straight ways meet only if they are at one place at the same time.
+class RelativeWay {
+  public:
+    RelativeWay(const Moment& moment, int body, int obstacle, const Core& deep)
+        : b0_(moment.before[std::size_t(body)]),
+          b1_(moment.after[std::size_t(body)]),
+          o0_(moment.before[std::size_t(obstacle)]),
+          o1_(moment.after[std::size_t(obstacle)]),
+          deep_(deep),
+          dt_(moment.dt),
+          b_end_(end_of_motion(b0_, b1_, dt_)),
+          o_end_(end_of_motion(o0_, o1_, dt_)),
+          carried_(o1_.type == BodyType::kinematic_body && b_end_ < 1),
+          last_(in_obstacle(placed(deep.point, b1_.position, b1_.angle), 1)) {
+        constexpr int samples = 64;
+        for (int i = 1; carried_ && i <= samples; ++i) {
+            const float t = float(i) / samples;
+            if (to_last(t) < to_last(arrival_)) arrival_ = t;
+        }
+    }
+
+    const Vec2& last() const { return last_; }
+
+    Vec2 place(float t) const {
+        if (carried_) return t < arrival_ ? free_place(t) : last_;
+        const float b = std::min(t / std::max(b_end_, 1e-6f), 1.0f);
+        const float o = std::min(t / std::max(o_end_, 1e-6f), 1.0f);
+        const Vec2 origin = b0_.position + b * (b1_.position - b0_.position);
+        return in_obstacle(placed(deep_.point, origin, b0_.angle + b * (b1_.angle - b0_.angle)), o);
+    }
+
+    /// The ends of straight parts of the way, as shares of the step. Seen from an obstacle that
+    /// turns, the body moves on an arc, too.
+    std::vector<float> times() const {
+        const float reach = std::max(place(0).length(), place(1).length());
+        const int count = std::max(chords(deep_.point.length(), b1_.angle - b0_.angle, deep_.depth),
+                                   chords(reach, o1_.angle - o0_.angle, deep_.depth));
+        std::vector<float> times;
+        const float first_end = carried_ ? arrival_ : std::min(b_end_, o_end_);
+        for (const float end : {first_end, std::max({first_end, b_end_, o_end_}), 1.0f}) {
+            const float begin = times.empty() ? 0 : times.back();
+            for (int i = 1; i <= count && begin < end; ++i)
+                times.push_back(begin + (end - begin) * float(i) / float(count));
+        }
+        return times;
+    }
+
+  private:
+    Vec2 in_obstacle(const Vec2& at, float o) const {
+        return local(at, o0_.position + o * (o1_.position - o0_.position),
+                     o0_.angle + o * (o1_.angle - o0_.angle));
+    }
+    Vec2 free_place(float t) const {
+        return in_obstacle(placed(deep_.point, b0_.position + t * dt_ * b1_.velocity,
+                                  b0_.angle + t * (b1_.angle - b0_.angle)),
+                           t);
+    }
+    float to_last(float t) const { return (free_place(t) - last_).length(); }
+
+    const BodyNow &b0_, &b1_, &o0_, &o1_;
+    const Core& deep_;
+    float dt_, b_end_, o_end_;
+    /// A body that moves by command carries along the body that it stopped: until the impact that
+    /// body moved freely, and afterwards it stayed in its place on the other one.
+    bool carried_;
+    Vec2 last_;
+    float arrival_ = 0;
+};
+
+}  // namespace
+
+void Passages::add_crossings(const Pair& pair, const Vec2& begin, const Vec2& end,
+                             std::vector<Passage>& crossed) const {
+    const Outline& outline = outlines_[std::size_t(pair.obstacle)][std::size_t(pair.shape)];
+    const Vec2 low = begin.min(end), high = begin.max(end);
+    if (low.x > outline.box.max.x || low.y > outline.box.max.y || high.x < outline.box.min.x ||
+        high.y < outline.box.min.y)
+        return;
+    // In the order of the way: a body that clips a corner enters before it leaves.
+    std::vector<std::pair<float, Passage>> at;
+    for (const Edge& edge : outline.edges)
+        if (const int sense = crossing(edge, begin, end); sense != 0) {
+            const Vec2 along = (edge.to - edge.from).normalized();
+            at.push_back({part_of_way(edge, begin, end),
+                          {pair.body, pair.core, pair.obstacle, pair.shape, sense,
+                           Vec2{-along.y, along.x}, outline.kind}});
+        }
+    std::ranges::stable_sort(at, {}, &std::pair<float, Passage>::first);
+    for (const auto& [part, passage] : at) crossed.push_back(passage);
+}
+
 void Passages::add_passages(const Pair& pair, const Moment& moment,
                             std::vector<Passage>& found) const {
-    const BodyNow& b0 = moment.before[std::size_t(pair.body)];
-    const BodyNow& b1 = moment.after[std::size_t(pair.body)];
-    const BodyNow& o0 = moment.before[std::size_t(pair.obstacle)];
-    const BodyNow& o1 = moment.after[std::size_t(pair.obstacle)];
-    const Outline& outline = outlines_[std::size_t(pair.obstacle)][std::size_t(pair.shape)];
-    // Two bodies that move on straight ways meet only if they are at one place at the same time.
-    const float b_end = end_of_motion(b0, b1, moment.dt), o_end = end_of_motion(o0, o1, moment.dt);
-    const auto in_obstacle = [&](const Vec2& at, float o) {
-        return local(at, o0.position + o * (o1.position - o0.position),
-                     o0.angle + o * (o1.angle - o0.angle));
-    };
-    // A body that moves by command carries along the body that it stopped: until the impact that
-    // body moved freely, and afterwards it stayed in its place on the other one.
-    const bool carried = o1.type == BodyType::kinematic_body && b_end < 1;
-    const auto free_place = [&](float t) {
-        return in_obstacle(placed(pair.deep.point, b0.position + t * moment.dt * b1.velocity,
-                                  b0.angle + t * (b1.angle - b0.angle)),
-                           t);
-    };
-    const Vec2 last = in_obstacle(placed(pair.deep.point, b1.position, b1.angle), 1);
-    float arrival = 0;
-    constexpr int samples = 64;
-    for (int i = 1; carried && i <= samples; ++i) {
-        const float t = float(i) / samples;
-        if ((free_place(t) - last).length() < (free_place(arrival) - last).length()) arrival = t;
-    }
-    const auto place = [&](float t) {
-        if (carried) return t < arrival ? free_place(t) : last;
-        const float b = std::min(t / std::max(b_end, 1e-6f), 1.0f);
-        const float o = std::min(t / std::max(o_end, 1e-6f), 1.0f);
-        const Vec2 origin = b0.position + b * (b1.position - b0.position);
-        const Vec2 at = placed(pair.deep.point, origin, b0.angle + b * (b1.angle - b0.angle));
-        return in_obstacle(at, o);
-    };
-    // Seen from an obstacle that turns, the body moves on an arc, too.
-    Vec2 from = place(0);
-    const float depth = pair.deep.depth;
-    const int count =
-        std::max(chords(pair.deep.point.length(), b1.angle - b0.angle, depth),
-                 chords(std::max(from.length(), place(1).length()), o1.angle - o0.angle, depth));
-    std::vector<float> times;
-    const float first_end = carried ? arrival : std::min(b_end, o_end);
-    for (const float end : {first_end, std::max({first_end, b_end, o_end}), 1.0f}) {
-        const float begin = times.empty() ? 0 : times.back();
-        for (int i = 1; i <= count && begin < end; ++i)
-            times.push_back(begin + (end - begin) * float(i) / float(count));
-    }
-    const auto cross = [&](Vec2 begin, Vec2 end, std::vector<Passage>& crossed) {
-        const Vec2 low = begin.min(end), high = begin.max(end);
-        const bool near = low.x <= outline.box.max.x && low.y <= outline.box.max.y &&
-                          high.x >= outline.box.min.x && high.y >= outline.box.min.y;
-        // In the order of the way: a body that clips a corner enters before it leaves.
-        std::vector<std::pair<float, Passage>> at;
-        for (const Edge& edge : outline.edges) {
-            if (!near) break;
-            if (const int sense = crossing(edge, begin, end); sense != 0) {
-                const Vec2 along = (edge.to - edge.from).normalized();
-                at.push_back({part_of_way(edge, begin, end),
-                              {pair.body, pair.core, pair.obstacle, pair.shape, sense,
-                               Vec2{-along.y, along.x}, outline.kind}});
-            }
-        }
-        std::ranges::stable_sort(at, {}, &std::pair<float, Passage>::first);
-        for (const auto& [part, passage] : at) crossed.push_back(passage);
-    };
+    const RelativeWay relative(moment, pair.body, pair.obstacle, pair.deep);
     std::vector<Passage> on_way, straight;
+    Vec2 from = relative.place(0);
     const Vec2 first = from;
-    for (const float time : times) {
-        const Vec2 to = place(time);
-        cross(from, to, on_way);
+    for (const float time : relative.times()) {
+        const Vec2 to = relative.place(time);
+        add_crossings(pair, from, to, on_way);
         from = to;
     }
     // How a body slid along an obstacle that carried it or struck it is not known: between the ends
     // of the step its way may be an arc, or straight as seen from the obstacle. A body that passed
     // through it crosses it on each. A bullet and what it meets keep their places beside each other
     // after an impact as well.
-    cross(first, last, straight);
-    const bool unknown = o1.type == BodyType::kinematic_body ||
-                         moment.plan.bodies[std::size_t(pair.obstacle)].def.bullet ||
-                         moment.plan.bodies[std::size_t(pair.body)].def.bullet;
+    add_crossings(pair, first, relative.last(), straight);
+    const auto body = std::size_t(pair.body), obstacle = std::size_t(pair.obstacle);
+    const bool unknown = moment.after[obstacle].type == BodyType::kinematic_body ||
+                         moment.plan.bodies[obstacle].def.bullet ||
+                         moment.plan.bodies[body].def.bullet;
     const bool harmless =
         straight.size() < on_way.size() || (leaves_opposite(on_way) && !leaves_opposite(straight));
     const auto& way = unknown && harmless ? straight : on_way;

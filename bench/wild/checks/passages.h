@@ -46,6 +46,9 @@ class Passages {
         Core deep;
     };
     void add_passages(const Pair& pair, const Moment& moment, std::vector<Passage>& found) const;
+    /// Adds the crossings of a straight part of the way, in coordinates of the obstacle.
+    void add_crossings(const Pair& pair, const Vec2& begin, const Vec2& end,
+                       std::vector<Passage>& crossed) const;
 
     std::vector<Pair> pairs_;
     std::vector<std::vector<Outline>> outlines_;  // by body and shape
