@@ -72,12 +72,13 @@ float push_limit(float& impulse, float mass, float velocity, float room, const J
 /// A motor that holds a heavy limb by a light bone needs many passes until its impulse is that of
 /// the load. So the impulse lags behind the load, like a spring without damping, and a ragdoll
 /// whose joints have friction trembles forever. Therefore the impulse with which the next sub-step
-/// begins falls by more than the change, when it falls. A motor that a limit of its joint stops
-/// falls by the change alone: otherwise its load would drop and be pushed back again and again.
+/// begins falls by more than the change, when it falls. A motor that a limit of its joint stops, or
+/// whose maximum falls, falls by the change alone: otherwise its load would drop and be pushed back
+/// again and again.
 inline float push_motor(float& impulse, float mass, float velocity, float speed, float greatest,
                         bool stopped = false) {
-    const float further = stopped ? 0.0f : 3.0f;
     const float total = clamp(impulse - mass * (velocity - speed), -greatest, greatest);
+    const float further = stopped || std::abs(total) == greatest ? 0.0f : 3.0f;
     const float change = total - impulse;
     impulse = total;
     if (change * total < 0.0f)

@@ -99,6 +99,8 @@ void release(const Touching& touching, uint32_t slot, float h) {
     std::vector<uint32_t> pressed;
     const uint32_t passed = open.passed();
     objects.for_each_contact(passed, [&](uint32_t contact) {
+        // A touch does not end in the step in which it began, so ends may be read before begins.
+        if (objects.contact_links[contact].began == touching.step) return;
         if (!open.is_held_by(contact)) return;
         skip_contact(touching, contact, Skipped::crushed);
         pressed.push_back(objects.other_body(contact, passed));

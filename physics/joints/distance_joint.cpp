@@ -146,6 +146,10 @@ struct DistanceConstraint {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return driven && motor.moves_bodies(line.velocity(a, b));
     }
+    Drive drive() {
+        if (!driven) return {};
+        return {&motor.greatest, impulses.motor, line.direction, false};
+    }
 
   private:
     template <bool biased>

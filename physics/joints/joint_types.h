@@ -32,6 +32,7 @@ class JointFunctions {
 
     /// True if `pass<biased>` is both `solve` and `relax`.
     static constexpr bool has_one_pass = requires { &Constraint::template pass<true>; };
+    static constexpr bool has_motor = requires { &Constraint::drive; };
 
   public:
     static constexpr JointKind kind(const char* name) {
@@ -41,9 +42,17 @@ class JointFunctions {
         if constexpr (requires { &Constraint::holds; }) is_rigid = holds;
         bool (*is_driven)(const JointRecord&) = nullptr;
         if constexpr (requires { &Settings::gives_energy; }) is_driven = gives_energy;
-        return {name,    sizeof(Constraint), begin, check, measure, is_rigid, is_driven,
-                prepare, warm_start,         solve, relax, load,    ends_of,  impulses_of,
-                load_on, write_rows,         store};
+        Drive (*motor)(JointArray&, size_t) = nullptr;
+        if constexpr (has_motor) motor = drive_of;
+        return {name,        sizeof(Constraint),
+                begin,       check,
+                measure,     is_rigid,
+                is_driven,   prepare,
+                warm_start,  solve,
+                relax,       load,
+                ends_of,     motor,
+                impulses_of, load_on,
+                write_rows,  store};
     }
 
   private:
@@ -60,9 +69,9 @@ class JointFunctions {
         return joint.settings.as<Settings>().gives_energy();
     }
 
-    static bool prepare(const JointSource& source, JointArray& array, const JointStep& step,
-                        JointRange range) {
-        bool pulls_hard = false;
+    static uint8_t prepare(const JointSource& source, JointArray& array, const JointStep& step,
+                           JointRange range) {
+        bool pulls_hard = false, presses = false;
         for (size_t i = range.begin; i < range.end; ++i) {
             const JointRecord& joint = source.objects.joints[array.joints[i]];
             Constraint& c = *std::construct_at(array.as<Constraint>() + i);
@@ -75,8 +84,10 @@ class JointFunctions {
             c.prepare(joint.settings.as<Settings>(), source.frame_of(joint), step, a, b);
             pulls_hard |= GeometricStiffness::may_be_too_great(c.ends, joint.force, a, b, step.h) ||
                           may_be_obstructed(joint.force, a, b, step.h);
+            if constexpr (has_motor)
+                presses = presses || may_press(joint.force, joint.torque, a, b, step.h);
         }
-        return pulls_hard;
+        return uint8_t((pulls_hard ? pull : 0) | (presses ? press : 0));
     }
 
     /// Calls `act(constraint, a, b)`. Other threads may read a body that does not move, so such a
@@ -128,6 +139,9 @@ class JointFunctions {
     }
     static JointEnds& ends_of(JointArray& array, size_t index) {
         return array.as<Constraint>()[index].ends;
+    }
+    static Drive drive_of(JointArray& array, size_t index) {
+        return array.as<Constraint>()[index].drive();
     }
     static JointImpulses impulses_of(const JointArray& array, size_t index) {
         JointImpulses all;

@@ -78,13 +78,13 @@ struct MotorConstraint {
         ends.push(a, b, impulses.force);
         detail::twist(a, b, impulses.torque);
     }
-    void solve(SolverBody& a, SolverBody& b, const JointStep&) { drive(a, b, springy); }
+    void solve(SolverBody& a, SolverBody& b, const JointStep&) { push(a, b, springy); }
     void relax(SolverBody& a, SolverBody& b, const JointStep&) {
         // A spring does not act here, but the next sub-step begins with its impulse.
         if (springy)
             follow(a, b);
         else
-            drive(a, b, false);
+            push(a, b, false);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         const Vec2 gap = follow(a, b);
@@ -119,9 +119,10 @@ struct MotorConstraint {
                (greatest_torque > 0.0f &&
                 follows(b.angular_velocity - a.angular_velocity, turn_speed));
     }
+    Drive drive() { return Drive::of_force(greatest_force, impulses.force); }
 
   private:
-    void drive(SolverBody& a, SolverBody& b, bool springs) {
+    void push(SolverBody& a, SolverBody& b, bool springs) {
         const Vec2 gap = follow(a, b);
         const float turning = b.angular_velocity - a.angular_velocity - turn_speed;
         float torque = -angular_mass * turning;

@@ -65,6 +65,7 @@ struct MouseConstraint {
         rows.springs(ends, slack ? Spring{} : spring, mass, gap(a, b), greatest, impulses.pull);
     }
     JointLoad load() const { return {impulses.pull, 0.0f}; }
+    Drive drive() { return Drive::of_force(greatest, impulses.pull); }
 
   private:
     Vec2 gap(const SolverBody& a, const SolverBody& b) const {

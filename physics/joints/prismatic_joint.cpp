@@ -70,6 +70,7 @@ struct PrismaticConstraint {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return rail.moves_bodies(a, b);
     }
+    Drive drive() { return rail.drive(impulses.rail); }
 
   private:
     template <bool biased>

@@ -146,6 +146,10 @@ struct Rail {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return coordinate.moves_bodies(along.velocity(a, b));
     }
+    Drive drive(const RailImpulses& impulses) {
+        if (!coordinate.driven) return {};
+        return {&coordinate.motor.greatest, impulses.along.motor, along.direction, false};
+    }
     Vec2 force(const RailImpulses& impulses) const {
         return impulses.along.sum() * along.direction + impulses.across * across.direction;
     }
@@ -178,6 +182,7 @@ struct SlotConstraint {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return rail.moves_bodies(a, b);
     }
+    Drive drive() { return rail.drive(impulses.rail); }
 };
 
 }  // namespace fettle::physics::detail

@@ -98,6 +98,10 @@ struct RevoluteConstraint {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return pressed || angle.moves_bodies(b.angular_velocity - a.angular_velocity);
     }
+    Drive drive() {
+        if (!angle.driven) return {};
+        return {&angle.motor.greatest, impulses.angle.motor, {}, true};
+    }
 
   private:
     const FreeTurn& free_turn(const SolverBody& a, const SolverBody& b) {

@@ -73,6 +73,10 @@ struct WheelConstraint {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return driven && motor.moves_bodies(b.angular_velocity - a.angular_velocity);
     }
+    Drive drive() {
+        if (!driven) return {};
+        return {&motor.greatest, impulses.motor, {}, true};
+    }
 };
 
 constinit const JointKind wheel_joint = JointFunctions<WheelConstraint>::kind("wheel");

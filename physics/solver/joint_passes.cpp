@@ -252,27 +252,27 @@ void soften_tuned(const ObjectState& objects, JointScratch& joints, float h) {
     }
 }
 
-/// True if a joint pulls hard: see `JointKind::prepare`.
-bool write_constraints(const JointSource& source, JointScratch& joints, const JointStep& step,
-                       ThreadPool* threads) {
-    std::atomic<bool> pulls_hard = false;
+/// Returns which joints push hard: see `JointKind::prepare`.
+uint8_t write_constraints(const JointSource& source, JointScratch& joints, const JointStep& step,
+                          ThreadPool* threads) {
+    std::atomic<uint8_t> hard = 0;
     for (size_t i = 0; i < joints.joint_arrays.size(); ++i) {
         JointArray& array = joints.joint_arrays[i];
         const JointKind& kind = joint_kind(JointScratch::type_of(i));
         array.constraints.resize(array.joints.size() * kind.constraint_size);
         parallel_for(threads, array.joints.size(), joints_at_a_time, [&](size_t begin, size_t end) {
-            if (kind.prepare(source, array, step, {begin, end}))
-                pulls_hard.store(true, std::memory_order_relaxed);
+            if (const uint8_t found = kind.prepare(source, array, step, {begin, end}))
+                hard.fetch_or(found, std::memory_order_relaxed);
         });
     }
-    return pulls_hard.load(std::memory_order_relaxed);
+    return hard.load(std::memory_order_relaxed);
 }
 
 }  // namespace
 
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          BodyScratch& bodies, JointScratch& joints, float h, float impulse_ratio,
-                         ThreadPool* threads) {
+                         Solver solver, ThreadPool* threads) {
     const JointSource source = {objects, columns, bodies};
     JointStep step;
     step.h = h;
@@ -285,11 +285,9 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     if (heavy) lists.spread_loads();
     lists.fill();
     soften_tuned(objects, joints, h);
-    const bool pulls_hard = write_constraints(source, joints, step, threads);
-    if (pulls_hard) {
-        raise_inertia(source, step, joints, bodies);
-        yield_to_obstacles(source, step, joints);
-    }
+    const uint8_t hard = write_constraints(source, joints, step, threads);
+    if ((hard & pull) != 0) raise_inertia(source, step, joints, bodies);
+    if (hard != 0) yield_to_obstacles(source, step, joints, solver);
     return step;
 }
 

@@ -2,11 +2,14 @@
 
 #include <solver/joint_passes.h>
 
-// Rods, ropes, pulleys and the ends of slides that pull a body against something fixed: a player
-// who reels in a hook below a roof, a crate whose winch goes on at a beam. The wider the gap of the
-// joint, the harder it pulls, and a contact yields in proportion to its load: from some
-// centimeters on the body was pulled into the obstacle, and through it. An obstacle does not
-// yield, so the joint does: it pulls as for a small gap, as long as contacts bear its pull.
+#include <cmath>
+
+// Joints that push a body against something fixed: a player who reels in a hook below a roof, a
+// crate whose winch goes on at a beam, a lift whose motor presses a crate against a ceiling. A
+// contact yields in proportion to its load. The wider the gap of a joint, the harder it pulls, and
+// a motor may have any strength: bodies were pressed into the obstacle, and through it. An obstacle
+// does not yield, so the joint does: obstacles bear no more of its push than makes a contact yield
+// by a small distance.
 
 namespace fettle::physics::detail {
 
@@ -17,8 +20,21 @@ inline bool may_be_obstructed(Vec2 force, const SolverBody& a, const SolverBody&
     return change * change * length_squared(force) > speed * speed;
 }
 
-/// Limits the gap for which a joint pulls, if contacts with what is fixed or kinematic bear most of
-/// its pull. The ends of the joints must be prepared.
-void yield_to_obstacles(const JointSource& source, const JointStep& step, JointScratch& joints);
+/// True if a motor may push so hard. What is between it and the obstacle may be much lighter than
+/// the bodies of its joint. A torque counts by the velocity at the radius of gyration.
+inline bool may_press(Vec2 force, float torque, const SolverBody& a, const SolverBody& b, float h) {
+    constexpr float speed = 0.2f;  // m/s, of one sub-step
+    const float by_force = max(a.inverse_mass, b.inverse_mass);
+    const float by_torque =
+        max(a.inverse_mass * a.inverse_inertia, b.inverse_mass * b.inverse_inertia);
+    const float least = speed / h;
+    return by_force * by_force * length_squared(force) + by_torque * torque * torque >
+           least * least;
+}
+
+/// Limits the gaps for which joints pull and the impulses of motors, if contacts with what is fixed
+/// or kinematic bear most of them. The ends of the joints must be prepared.
+void yield_to_obstacles(const JointSource& source, const JointStep& step, JointScratch& joints,
+                        Solver solver);
 
 }  // namespace fettle::physics::detail

@@ -48,6 +48,22 @@ inline JointPlace place_of(const Columns& columns, const JointRecord& joint) {
     return {anchor(0), anchor(1), {a.cosine, a.sine}, joint.anchors[0]};
 }
 
+/// The motor of a joint in a step, or its pull towards a place.
+struct Drive {
+    float* greatest = nullptr;  ///< greatest impulse in a sub-step, N s or N m s; null: none
+    float impulse = 0.0f;       ///< of the last sub-step; positive pushes body b as below
+    Vec2 along;                 ///< the direction in which it pushes body b
+    bool turns = false;         ///< it turns body b about its anchor instead
+
+    static Drive of_force(float& greatest, Vec2 impulse) {
+        const float size = length(impulse);
+        if (!(size > 0.0f)) return {};
+        return {&greatest, size, (1.0f / size) * impulse, false};
+    }
+};
+
+enum HardPush : uint8_t { pull = 1, press = 2 };
+
 struct JointKind {
     const char* name;
     size_t constraint_size;
@@ -64,15 +80,18 @@ struct JointKind {
     bool (*holds)(const JointRecord& joint);
     /// Whether a motor or a spring of the joint may give energy to its bodies. Null: it has none.
     bool (*gives_energy)(const JointRecord& joint);
-    /// Writes constraints from the records of the joints. True: a joint pulls so hard that
-    /// solver/geometric_stiffness.h or solver/obstructed_joints.h may concern its bodies.
-    bool (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
-                    JointRange range);
+    /// Writes constraints from the records of the joints. Returns whether a joint pulls so hard
+    /// that solver/geometric_stiffness.h or solver/obstructed_joints.h may concern its bodies, and
+    /// whether a motor presses so hard that the latter may, as bits of `HardPush`.
+    uint8_t (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
+                       JointRange range);
     using Pass = void (*)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                           JointRange range);
     Pass warm_start, solve, relax;
     JointLoad (*load)(const JointArray& array, size_t index);
     JointEnds& (*ends)(JointArray& array, size_t index);
+    /// Null: the type has no motor.
+    Drive (*drive)(JointArray& array, size_t index);
     /// The impulses of a joint in a sub-step, as its type defines them.
     JointImpulses (*impulses)(const JointArray& array, size_t index);
     /// The effect of such impulses, with the current levers, on the body of a side, 0 or 1: an

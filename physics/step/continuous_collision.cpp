@@ -123,7 +123,9 @@ void stop_or_list(const FinishInput& in, uint32_t body, Vec2 shift, float turn,
     fast.body = body;
     fast.motion = motion_to(record.center, shift, turn);
     const bool dynamic = record.mobility == Mobility::dynamic;
-    const bool far = !dynamic || way_of(record, fast.motion) > near_motion(record);
+    // A bullet stops where its surface meets a body: inside of it, the normal would be another one.
+    const float near = record.flags.bullet ? least_hit_motion(record) : near_motion(record);
+    const bool far = !dynamic || way_of(record, fast.motion) > near;
     fast.meets_moving = may_meet_moving(in, record, fast.motion, path, far);
     if (dynamic && !in.filter && may_meet_fixed(in, path)) stop_at_fixed(in, fast, piece);
     if (in.filter || fast.meets_moving || fast.joined || (far && in.objects.sensors > 0))

@@ -1,5 +1,5 @@
 #include <geometry/trigonometry.h>
-#include <step/time_of_impact.h>
+#include <step/obstacle.h>
 
 #include <algorithm>
 
@@ -36,6 +36,7 @@ struct Mover {
     uint32_t version = 0;
     uint32_t carrier = none;  ///< the body that carries it along
     uint32_t hit_by = none;   ///< the kinematic body that reached it within the step
+    Vec2 away;                ///< from a dynamic carrier, when it met it
     int slides = 0;           ///< how often it slid along another body
     bool driven = false;
     bool slow = false;     ///< a driven body that meets only what is fast seen from it
@@ -48,6 +49,7 @@ struct Meeting {
     float time;
     uint32_t a, b;  ///< bodies
     uint32_t version_a, version_b;
+    uint32_t shape_a, shape_b;
     /// The body with its centroid at the other one already, and the displacement in the rest of the
     /// step that keeps it from going farther.
     uint32_t slides = none;
@@ -199,7 +201,7 @@ class MovingImpacts {
         if (!mover.driven) of_this = time_of_impact(in_, shape, mover.motion, other, motion, now);
         const float time = min(of_other.time, of_this.time);
         if (time >= 1.0f) return;
-        Meeting meeting = {time, mover.body, body, mover.version, version_of(body)};
+        Meeting meeting = {time, mover.body, body, mover.version, version_of(body), shape, other};
         const bool this_one = of_this.time <= of_other.time;
         const Vec2 back = this_one ? of_this.back : of_other.back;
         if (length_squared(back) > 0.0f) {
@@ -224,10 +226,12 @@ class MovingImpacts {
             if (meeting.slides != none && slide(meeting)) return;
             for (const auto& [stopped, other] : {std::pair(i, k), std::pair(k, i)}) {
                 if (!movers_[stopped].stops) continue;
-                if (movers_[other].stops || movers_[stopped].carrier != none)
+                if (movers_[other].stops || movers_[stopped].carrier != none) {
                     stop(stopped, now, false);
-                else
+                } else {
+                    movers_[stopped].away = away_from(movers_[other].body, meeting);
                     carry(stopped, movers_[other].body, now);
+                }
             }
             return;
         }
@@ -310,6 +314,17 @@ class MovingImpacts {
         undo_forces(in_, movers_[i].body, motion.until - now);
         change(i, at_rest(motion.center(now), float(motion.rotation(now))), now);
     }
+    /// The direction from a body of a meeting to the other one.
+    Vec2 away_from(uint32_t body, const Meeting& meeting) const {
+        const bool from_a = body == meeting.a;
+        const auto sweep = [&](uint32_t shape) {
+            const uint32_t its = in_.objects.forms[shape].body;
+            return Sweep{solid_of(in_.objects, in_.columns, shape), motion_of(its),
+                         record(its).extent};
+        };
+        return direction_between(sweep(from_a ? meeting.shape_a : meeting.shape_b),
+                                 sweep(from_a ? meeting.shape_b : meeting.shape_a), meeting.time);
+    }
     /// The body had no contact with the kinematic body in this step, and meets it now.
     void hit(size_t i, uint32_t kinematic, float now) {
         movers_[i].hit_by = kinematic;
@@ -330,7 +345,13 @@ class MovingImpacts {
         motion.angle = float(before.rotation(now));
         const double turn = driver.rotation(1.0f) - driver.rotation(now);
         const Rotation turned = rotation_of(turn);
-        Position end = driver.center(1.0f) + rotate(turned, motion.from - driver.center(now));
+        const Vec2 arm = motion.from - driver.center(now);
+        Vec2 turned_arm = rotate(turned, arm);
+        // A dynamic body that turns takes it along only as far as its surface moves towards it: the
+        // next step finds the place at which it has met the surface.
+        if (const Vec2 away = movers_[i].away; away != Vec2{})
+            turned_arm = arm + dot(turned_arm - arm, away) * away;
+        Position end = driver.center(1.0f) + turned_arm;
         if (normal != Vec2{} && movers_[i].slides <= most_slides) {
             const Vec2 own = unrotate(turned, before.center(1.0f) - end);
             const float inwards = min(dot(own, normal), 0.0f);

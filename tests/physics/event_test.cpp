@@ -56,6 +56,33 @@ TEST_CASE("a bounce that is over within a step is reported with its begin and it
     REQUIRE(ended == 1);
 }
 
+TEST_CASE("a touch that ends and begins again in one step has ended first") {
+    World world;
+    add_floor(world);
+    Body ball = add_ball(world, {0, 0.5f}, 0.5f);
+    bool touches = false;
+    for (int i = 0; i < 60; ++i) {
+        if (i == 30) {
+            ball.set_enabled(false);
+            ball.set_enabled(true);
+        }
+        world.step(frame);
+        for (const ContactEndEvent& event : world.events().contact_end) {
+            CAPTURE(i, event.body_a.index);
+            CHECK(touches);
+            touches = false;
+        }
+        for (const ContactBeginEvent& event : world.events().contact_begin) {
+            CAPTURE(i, event.body_a.index);
+            CHECK_FALSE(touches);
+            touches = true;
+        }
+        if (i == 30) CHECK(world.events().contact_end.size() == 1);
+        CHECK(touches == ball.is_touching());
+    }
+    CHECK(touches);
+}
+
 TEST_CASE("a hit of a shape with hit events reports its speed and impulse and point") {
     World world({.gravity = {0, 0}});
     add_floor(world);

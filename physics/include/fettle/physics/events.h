@@ -117,7 +117,8 @@ struct JointLoadEvent {
     float torque = 0.0f;  ///< N m, on body b, without the torque of the force
 };
 
-/// The events of a step, by kind, in an order that is repeatable.
+/// The events of a step, by kind, in an order that is repeatable. If a touch ended and began again,
+/// both lists have it, and the end was first: so read ends before begins.
 struct Events {
     std::vector<ContactBeginEvent> contact_begin;      ///< touches that began
     std::vector<ContactPersistEvent> contact_persist;  ///< touches that continue
