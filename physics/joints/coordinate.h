@@ -110,17 +110,17 @@ struct Motor {
     /// Its speed, but not beyond a limit. If the motor were as fast there, the limit would have to
     /// hold its whole force, and would yield.
     float speed_within(const Limits& limits, float position, float inverse_h) const {
-        return clamp(speed, min(-approach((position - limits.lower) * inverse_h), 0.0f),
-                     max(approach((limits.upper - position) * inverse_h), 0.0f));
+        return clamp(speed, min((limits.lower - position) * inverse_h, 0.0f),
+                     max((limits.upper - position) * inverse_h, 0.0f));
     }
-
-  private:
-    /// The speed towards a limit that would be reached in a sub-step with the speed `left`. A motor
-    /// that is slow already needs longer: if it closed the last rest of the way in each sub-step,
-    /// arms of several motors at their limits would tremble.
-    static float approach(float left) {
-        constexpr float slow = 2.0f, least = 0.05f;  // m/s or rad/s, and a part of `left`
-        return left * clamp(left * (1.0f / slow), least, 1.0f);
+    /// The limit at which the motor holds its bodies: 1: the upper one, -1: the lower one; 0: it is
+    /// on its way. What a motion with `slow` would reach in a sub-step counts as reached: arms of
+    /// several strong motors would swing out of a narrower range again and again.
+    int stopped_at(const Limits& limits, float position, float inverse_h) const {
+        constexpr float slow = 10.0f;  // m/s or rad/s
+        if (speed > 0.0f && (limits.upper - position) * inverse_h < slow) return 1;
+        if (speed < 0.0f && (position - limits.lower) * inverse_h < slow) return -1;
+        return 0;
     }
 };
 
@@ -130,9 +130,9 @@ struct LimitImpulses {
     float sum() const { return lower - upper; }
 };
 
-/// A motor and the limit that stops it must not press against each other: the limit would yield to
-/// the force of the motor. A part of what both exert is taken from both, which changes no velocity;
-/// not all of it, because some of it may come from an impact, which the next sub-step reverses.
+/// Friction and a limit must not press against each other: the limit would yield to the friction. A
+/// part of what both exert is taken from both, which changes no velocity; not all of it, because
+/// some of it may come from an impact, which the next sub-step reverses.
 inline void relieve(float& motor, LimitImpulses& limits) {
     constexpr float share = 0.25f;
     float& limit = motor > 0.0f ? limits.upper : limits.lower;
@@ -141,13 +141,34 @@ inline void relieve(float& motor, LimitImpulses& limits) {
     motor -= motor > 0.0f ? both : -both;
 }
 
-/// Solves the limits of a row. `velocity()` and `push(impulse)` are the functions of the row.
+/// A motor at a limit, `end` as in `Motor::stopped_at`, is one rigid row that holds the place of
+/// the limit: with any force against the motor, and with that of the motor to its side. If the
+/// motor and the limit were two rows, they would press against each other, and several such joints
+/// in a chain would never come to rest. Returns the change of the impulse along the coordinate.
+template <bool biased>
+float hold_at_limit(float& motor_impulse, LimitImpulses& impulses, const Motor& motor,
+                    const Limits& limits, int end, float mass, float position, float velocity,
+                    const JointStep& step) {
+    const float sign = float(end);
+    float& limit = end > 0 ? impulses.upper : impulses.lower;
+    const float error = sign * (position - (end > 0 ? limits.upper : limits.lower));
+    const float before = sign * motor_impulse - limit;
+    float total = before;
+    push_rigid<biased>(total, mass, sign * velocity, error, step.length_softness(error));
+    total = min(total, motor.greatest);
+    motor_impulse = sign * max(total, 0.0f);
+    limit = max(-total, 0.0f);
+    return sign * (total - before);
+}
+
+/// Solves the limits of a row, but not the one at `end`, as in `Motor::stopped_at`. `velocity()`
+/// and `push(impulse)` are the functions of the row.
 template <bool biased, class Velocity, class Push>
 void solve_limits(const Limits& limits, LimitImpulses& impulses, float mass, float position,
-                  const JointStep& step, Velocity&& velocity, Push&& push) {
-    if (limits.lower > -infinity)
+                  const JointStep& step, Velocity&& velocity, Push&& push, int end = 0) {
+    if (limits.lower > -infinity && end >= 0)
         push(push_limit<biased>(impulses.lower, mass, velocity(), position - limits.lower, step));
-    if (limits.upper < infinity)
+    if (limits.upper < infinity && end <= 0)
         push(-push_limit<biased>(impulses.upper, mass, -velocity(), limits.upper - position, step));
 }
 
@@ -256,7 +277,8 @@ struct Coordinate {
     template <bool biased>
     bool is_bounded(const CoordinateImpulses& impulses, float position, float velocity,
                     const JointStep& step) const {
-        if (!biased && drives) return true;
+        if (drives && (!biased || motor.stopped_at(limits, position, step.inverse_h) != 0))
+            return true;
         return limited && (impulses.limits.lower > 0.0f || impulses.limits.upper > 0.0f ||
                            velocity + (position - limits.lower) * step.inverse_h < 0.0f ||
                            (limits.upper - position) * step.inverse_h - velocity < 0.0f);
@@ -267,13 +289,17 @@ struct Coordinate {
     template <bool biased, class Velocity, class Push>
     void solve_bounds(CoordinateImpulses& impulses, float mass, float position,
                       const JointStep& step, Velocity&& velocity, Push&& push) const {
-        if (!biased && drives) {
+        const int end = drives ? motor.stopped_at(limits, position, step.inverse_h) : 0;
+        if (end != 0) {
+            push(hold_at_limit<biased>(impulses.motor, impulses.limits, motor, limits, end, mass,
+                                       position, velocity(), step));
+        } else if (!biased && drives) {
             const float speed = motor.speed_within(limits, position, step.inverse_h);
             push(push_motor(impulses.motor, mass, velocity(), speed, motor.greatest,
                             speed != motor.speed));
         }
-        solve_limits<biased>(limits, impulses.limits, mass, position, step, velocity, push);
-        if (!biased && driven && limited) relieve(impulses.motor, impulses.limits);
+        solve_limits<biased>(limits, impulses.limits, mass, position, step, velocity, push, end);
+        if (!biased && end == 0 && driven && limited) relieve(impulses.motor, impulses.limits);
     }
     void write_rows(CoordinateImpulses& impulses, float mass, float position,
                     const Jacobian& jacobian, RowWriter& rows) const {

@@ -118,7 +118,8 @@ struct DistanceConstraint {
     void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
         // A spring does not act here, but the next sub-step begins with its impulse.
         const float distance = follow(a, b);
-        if (driven) {
+        const bool moves = driven && stopped_at(distance, step) == 0;
+        if (moves) {
             const float speed = motor.speed_within(limits, distance, step.inverse_h);
             line.push(ends, a, b,
                       push_motor(impulses.motor, line.mass, line.velocity(a, b), speed,
@@ -126,7 +127,7 @@ struct DistanceConstraint {
         }
         if (rigid) hold<false>(a, b, distance - length, step);
         limit<false>(a, b, distance, step);
-        if (driven && limited) relieve(impulses.motor, impulses.limits);
+        if (moves && limited) relieve(impulses.motor, impulses.limits);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         const float distance = follow(a, b), error = distance - length;
@@ -152,6 +153,9 @@ struct DistanceConstraint {
     }
 
   private:
+    int stopped_at(float distance, const JointStep& step) const {
+        return motor.stopped_at(limits, distance, step.inverse_h);
+    }
     template <bool biased>
     void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
         if (biased) error = ends.close_wide_gap(a, b, line.direction, error, step);
@@ -163,9 +167,14 @@ struct DistanceConstraint {
     void limit(SolverBody& a, SolverBody& b, float distance, const JointStep& step) {
         if (biased && limited)
             distance = close_beyond_limits(ends, limits, a, b, line.direction, distance, step);
+        const int end = driven ? stopped_at(distance, step) : 0;
+        if (end != 0)
+            line.push(ends, a, b,
+                      hold_at_limit<biased>(impulses.motor, impulses.limits, motor, limits, end,
+                                            line.mass, distance, line.velocity(a, b), step));
         solve_limits<biased>(
             limits, impulses.limits, line.mass, distance, step, [&] { return line.velocity(a, b); },
-            [&](float p) { line.push(ends, a, b, p); });
+            [&](float p) { line.push(ends, a, b, p); }, end);
     }
 };
 

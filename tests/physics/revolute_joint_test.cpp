@@ -183,4 +183,28 @@ TEST_CASE("an arm whose elbow motor presses against its limit comes to rest") {
     CHECK(elbow.force().length() == Approx(fore.mass() * 10).epsilon(0.02));
 }
 
+TEST_CASE("an arm of several links whose strong motors press against their limits comes to rest") {
+    const int links = GENERATE(2, 3, 4);
+    const float torque = GENERATE(100.0f, 300.0f);
+    const float gravity = GENERATE(0.0f, -10.0f);
+    World world({.gravity = {0, gravity}});
+    Body last;
+    for (int i = 0; i < links; ++i) {
+        Body link = world.create_body({.position = {float(i) + 0.5f, 5}});
+        link.add(Box{.width = 1, .height = 0.2f}, {.density = 5});
+        world.create_revolute_joint({.body_a = last.id(),
+                                     .body_b = link.id(),
+                                     .anchor_a = last ? Vec2(0.5f, 0) : Vec2(0, 5),
+                                     .anchor_b = {-0.5f, 0},
+                                     .lower_angle = -0.3f,
+                                     .upper_angle = 0.3f,
+                                     .motor_speed = 2,
+                                     .max_motor_torque = torque});
+        last = link;
+    }
+    for (int i = 0; i < 60 * 10; ++i) world.step(frame);
+    CHECK_FALSE(last.awake());
+    CHECK(last.angle() == Approx(0.3 * links).margin(0.02));
+}
+
 }  // namespace revolute_joint_test
