@@ -84,8 +84,7 @@ class JointFunctions {
             c.prepare(joint.settings.as<Settings>(), source.frame_of(joint), step, a, b);
             pulls_hard |= GeometricStiffness::may_be_too_great(c.ends, joint.force, a, b, step.h) ||
                           may_be_obstructed(joint.force, a, b, step.h);
-            if constexpr (has_motor)
-                presses = presses || may_press(joint.force, joint.torque, a, b, step.h);
+            if constexpr (has_motor) presses = presses || may_press(c.drive(), a, b);
         }
         return uint8_t((pulls_hard ? pull : 0) | (presses ? press : 0));
     }

@@ -203,9 +203,8 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
         const SolverBody &a = bodies[ends.a], &b = bodies[ends.b];
         if (may_be_obstructed(joint.force, a, b, step.h)) limit_gap(source, joint, step.h, ends);
         if (solver != Solver::soft_step || kind.drive == nullptr) return;
-        if (!may_press(joint.force, joint.torque, a, b, step.h)) return;
         const Drive drive = kind.drive(array, k);
-        if (drive.greatest != nullptr && drive.impulse != 0.0f)
+        if (drive.greatest != nullptr && may_press(drive, a, b))
             limit_motor(source, joint, drive, step.h);
     });
 }

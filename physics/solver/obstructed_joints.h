@@ -22,14 +22,12 @@ inline bool may_be_obstructed(Vec2 force, const SolverBody& a, const SolverBody&
 
 /// True if a motor may push so hard. What is between it and the obstacle may be much lighter than
 /// the bodies of its joint. A torque counts by the velocity at the radius of gyration.
-inline bool may_press(Vec2 force, float torque, const SolverBody& a, const SolverBody& b, float h) {
+inline bool may_press(const Drive& drive, const SolverBody& a, const SolverBody& b) {
     constexpr float speed = 0.2f;  // m/s, of one sub-step
-    const float by_force = max(a.inverse_mass, b.inverse_mass);
-    const float by_torque =
-        max(a.inverse_mass * a.inverse_inertia, b.inverse_mass * b.inverse_inertia);
-    const float least = speed / h;
-    return by_force * by_force * length_squared(force) + by_torque * torque * torque >
-           least * least;
+    const auto mobility = [&](const SolverBody& body) {
+        return body.inverse_mass * (drive.turns ? body.inverse_inertia : body.inverse_mass);
+    };
+    return drive.impulse * drive.impulse * max(mobility(a), mobility(b)) > speed * speed;
 }
 
 /// Limits the gaps for which joints pull and the impulses of motors, if contacts with what is fixed
