@@ -12,14 +12,15 @@ function(fettle_precompile target)
   target_precompile_headers(${target} PRIVATE ${fettle_common_headers} ${ARGN})
 endfunction()
 
-# fettle_precompile_tree(TARGET): for a library on top of the property tree, after fettle_optimize_little(TARGET) if there
-# is one. All of these share one precompiled header, and those that are optimized little another one: it needs the very
-# same flags for each, also those of the optimization. That is why it is made of fettle_compile_options and nothing else.
+# fettle_precompile_tree(TARGET): for a library on top of the property tree, after fettle_optimize_little(TARGET) or
+# fettle_optimize_least(TARGET) if there is one. All of these share one precompiled header, those that are optimized little
+# another one, and the least a third: it needs the very same flags for each, also those of the optimization. That is why it is
+# made of fettle_compile_options and nothing else.
 function(fettle_precompile_tree target)
   set(headers fettle_tree_headers)
-  get_target_property(little ${target} FETTLE_OPTIMIZED_LITTLE)
-  if(little)
-    set(headers fettle_tree_headers_little)
+  get_target_property(optimization ${target} FETTLE_OPTIMIZATION)
+  if(optimization)
+    string(APPEND headers "_O${optimization}")
   endif()
   if(NOT TARGET ${headers})
     file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/cmake/${headers}.cpp"
@@ -31,8 +32,8 @@ function(fettle_precompile_tree target)
       target_compile_definitions(${headers} PRIVATE FETTLE_PROPERTY_STATIC)
     endif()
     fettle_compile_options(${headers})
-    if(little)
-      fettle_optimize_little(${headers})
+    if(optimization)
+      set_target_properties(${headers} PROPERTIES FETTLE_OPTIMIZATION ${optimization})
     endif()
     set_target_properties(${headers} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
     fettle_precompile(${headers} <chrono> <filesystem> <fettle/property/tree.h>)

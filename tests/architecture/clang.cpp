@@ -19,7 +19,8 @@ std::string subranges_in(const SourceTree& tree) {
     std::string found;
     for (const auto& [path, file] : tree.files())
         for (std::size_t i = 0; file.is_cpp() && i < file.lines.size(); ++i)
-            if (std::regex_match(file.lines[i], use))
+            if (file.lines[i].find("std::") != std::string::npos &&
+                std::regex_match(file.lines[i], use))
                 found += path + ":" + std::to_string(i + 1) + "\n";
     return found;
 }

@@ -482,17 +482,17 @@ Violations scattered_version_checks(const SourceTree& tree) {
 }
 
 Violations unfinished_marks(const SourceTree& tree) {
-    // The pattern is split, so that this file does not contain the marks.
-    static const std::regex mark(
-        "\\b(TO"
-        "DO|FIX"
-        "ME|XX"
-        "X|HA"
-        "CK)\\b");
+    // In halves, so that this file does not contain them. A pattern for all takes much longer.
+    static const std::vector<std::string> marks = {
+        std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X",
+        std::string("HA") + "CK"};
     Violations found;
     const auto any = [](const SourceFile&) { return true; };
     each_line(tree, any, [&](const SourceFile& file, int line, const std::string& text) {
-        if (std::regex_search(text, mark)) found.push_back(at(file, line, "unfinished: " + text));
+        for (const std::string& mark : marks)
+            if (text.find(mark) != text.npos &&
+                std::regex_search(text, std::regex("\\b" + mark + "\\b")))
+                found.push_back(at(file, line, "unfinished: " + text));
     });
     return found;
 }

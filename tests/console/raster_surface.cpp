@@ -14,10 +14,11 @@ RasterSurface::RasterSurface(unsigned width, unsigned height, Pixel background)
 }
 
 void RasterSurface::clear() {
+    // Most frames are never painted.
+    if (pixels_.empty() || painted_ > 0) pixels_.assign(std::size_t{width_} * height_, background_);
     calls_.clear();
     triangle_count_ = 0;
     painted_ = 0;
-    pixels_.assign(std::size_t{width_} * height_, background_);
 }
 
 const std::vector<Pixel>& RasterSurface::pixels() const {

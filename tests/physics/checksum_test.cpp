@@ -2,6 +2,7 @@
 
 #include "every_method.h"
 #include "saved_worlds.h"
+#include "thorough.h"
 
 namespace checksum_test {
 
@@ -163,6 +164,7 @@ TEST_CASE("a saved world with any byte changed is refused and the world stays as
         auto damaged = bytes;
         size_t unnoticed = 0;
         for (size_t at = 0; at < bytes.size(); ++at) {
+            if (!is_tested(at, 5)) continue;
             for (const unsigned flip : {0xffu, 1u << (at % 8)}) {
                 damaged[at] ^= std::byte(flip);
                 unnoticed += !is_refused(target, damaged);

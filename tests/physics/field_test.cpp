@@ -1,5 +1,6 @@
 #include "catch.h"
 #include "scenes.h"
+#include "thorough.h"
 
 #include <distance/distance.h>
 
@@ -46,7 +47,7 @@ struct Form {
 detail::AreaPart counted(const Form& form, Vec2 normal, float depth) {
     detail::AreaPart part;
     double x = 0, y = 0;
-    const float cell = 0.01f;
+    const float cell = thorough() ? 0.01f : 0.02f;
     for (float px = -3; px < 3; px += cell) {
         for (float py = -3; py < 3; py += cell) {
             const Vec2 p = {px + cell / 2, py + cell / 2};

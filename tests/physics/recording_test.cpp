@@ -8,6 +8,7 @@
 
 #include "catch.h"
 #include "every_method.h"
+#include "thorough.h"
 
 namespace recording_test {
 
@@ -390,7 +391,9 @@ TEST_CASE("a recording that ends within a part is replayed up to the part before
     const Bytes bytes = some_recording();
     const auto chunks = chunks_in(bytes);
     const size_t state_ends = chunks.at(1).header;
-    for (size_t size = 0; size < bytes.size(); size += size < state_ends ? 91 : 7) {
+    for (size_t size = 0; size < bytes.size(); size += size < state_ends ? 91
+                                                       : thorough()      ? 7
+                                                                         : 37) {
         const Bytes cut(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));
         if (size < state_ends) {
             REQUIRE(refusal(cut) != "it was taken");

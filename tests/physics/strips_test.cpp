@@ -10,6 +10,7 @@
 
 #include "catch.h"
 #include "scenes.h"
+#include "thorough.h"
 #include "world_inside.h"
 
 namespace strips_test {
@@ -219,6 +220,7 @@ TEST_CASE("a heap of everything ends the same however many threads share out its
     REQUIRE(one.broken > 0);
     REQUIRE(one.hits > 0);
     for (const int threads : {2, 3, 4, 8}) {
+        if (!thorough() && threads != 3) continue;
         const Course several = run_with(threads, 70);
         REQUIRE(several.hashes == one.hashes);
         REQUIRE(several.broken == one.broken);
@@ -230,7 +232,8 @@ TEST_CASE("a heap larger than the cache ends the same however many threads share
     constexpr int steps = 12;
     const Course one = run_with(1, steps, 5);
     REQUIRE(one.strips == most_strips);
-    for (const int threads : {3, 4}) REQUIRE(run_with(threads, steps, 5).hashes == one.hashes);
+    REQUIRE(run_with(3, steps, 5).hashes == one.hashes);
+    if (thorough()) REQUIRE(run_with(4, steps, 5).hashes == one.hashes);
 }
 
 TEST_CASE("the index of bodies stays valid when strips sort an unordered list") {

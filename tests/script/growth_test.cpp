@@ -5,6 +5,7 @@
 #include <fettle/property/path.h>
 
 #include "stage.h"
+#include "thorough.h"
 
 namespace growth_test {
 
@@ -235,7 +236,7 @@ end
 
 TEST_CASE("the cost of stopping watchers and timers does not depend on their number") {
     Stage s;
-    const std::string many = std::to_string(slowly ? 30000 : 100000);
+    const std::string many = std::to_string(slowly || !thorough() ? 30000 : 100000);
     s.run("local n = " + many + R"lua(
 world.ball = Body {}
 local kept = {}
@@ -266,8 +267,7 @@ for i = 1, 20000 do kept[i]:stop() end
 
 TEST_CASE("any number of formulas may read one source and end in any order") {
     Stage s;
-    s.run(R"lua(
-local n = 40000
+    s.run("local n = " + std::to_string(thorough() ? 40000 : 15000) + R"lua(
 world.v = 1
 box = Object {}
 world.box = box

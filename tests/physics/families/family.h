@@ -25,12 +25,12 @@ inline fettle::physics::Vec2 turned(float angle) {
 }
 
 /// The number of seeds of a test: FETTLE_SEEDS if that is set; FETTLE_SOAK times `usual` if that
-/// is; else `usual` in a thorough run and a quarter of it in a quick one.
+/// is; else `usual` in a thorough run and an eighth of it in a quick one.
 inline unsigned seeds_or(unsigned usual) {
     if (const char* const seeds = std::getenv("FETTLE_SEEDS")) return unsigned(std::stoul(seeds));
     if (const char* const factor = std::getenv("FETTLE_SOAK"))
         return usual * unsigned(std::stoul(factor));
-    return thorough() ? usual : (usual + 3) / 4;
+    return thorough() ? usual : (usual + 7) / 8;
 }
 
 }  // namespace families
