@@ -63,10 +63,12 @@ Bitmap shrunk(const Bitmap& from, int width, int height) {
             const float left = wide * static_cast<float>(x), top = high * static_cast<float>(y);
             std::array<float, 4> sum{};
             for (int v = static_cast<int>(top); v < from.height && v < top + high; ++v)
-                for (int u = static_cast<int>(left); u < from.width && u < left + wide; ++u)
+                for (int u = static_cast<int>(left); u < from.width && u < left + wide; ++u) {
+                    const int at = v * from.width + u;
                     for (std::size_t i = 0; i < 4; ++i)
                         sum[i] += covered(u, left, left + wide) * covered(v, top, top + high) *
-                                  from.pixels[static_cast<std::size_t>(v * from.width + u)][i];
+                                  from.pixels[static_cast<std::size_t>(at)][i];
+                }
             for (float& channel : sum) channel /= wide * high;
             made.pixels.push_back(sum);
         }

@@ -285,7 +285,7 @@ void draw_path_fit(ImDrawList& list, ImVec2 at, ImU32 color, std::string_view wh
 }
 
 std::string shortened(std::string_view whole, float width) {
-    const std::string text = one_line(whole);
+    std::string text = one_line(whole);
     if (text_width(text) <= width) return text;
     const float room = width - text_width("…");
     std::size_t end = text.size();

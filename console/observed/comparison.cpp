@@ -90,6 +90,7 @@ void Comparison::request_branch(const std::string& name) {
                                     : std::ranges::find(all, name, &OtherBranch::name);
     if (other == all.end()) {
         std::vector<std::string> names;
+        names.reserve(all.size());
         for (const OtherBranch& each : all) names.push_back(each.name);
         throw property::Error(
             property::ErrorKind::unknown_name,

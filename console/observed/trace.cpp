@@ -53,7 +53,7 @@ bool leads_to_something(const property::Tree& tree, const std::string& path) {
 std::string path_above(const std::string& path) {
     const std::size_t names = property::parse_path(path).size();
     for (std::size_t end = path.size(); end-- > 1;) {
-        const std::string above = path.substr(0, end);
+        std::string above = path.substr(0, end);
         if ((path[end] == '.' || path[end] == '[') && has_form_of_path(above) &&
             property::parse_path(above).size() + 1 == names)
             return above;

@@ -91,6 +91,7 @@ std::vector<std::string> in_columns(const std::vector<std::pair<std::string, std
     std::size_t widest = 0;
     for (const auto& [first, second] : rows) widest = std::max(widest, code_point_count(first));
     std::vector<std::string> lines;
+    lines.reserve(rows.size());
     for (const auto& [first, second] : rows)
         lines.push_back(first + std::string(widest - code_point_count(first) + 2, ' ') + second);
     return lines;

@@ -48,9 +48,9 @@ std::string short_number(double value, int digits) {
 }
 
 std::string narrow_number(double value, int digits) {
-    const std::string usual = short_number(value, digits);
+    std::string usual = short_number(value, digits);
     if (!std::isfinite(value) || usual == "0") return usual;
-    const std::string other =
+    std::string other =
         with_short_exponent(printed(std::chars_format::scientific, digits - 1, value));
     return other.size() < usual.size() ? other : usual;
 }

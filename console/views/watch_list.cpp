@@ -210,6 +210,7 @@ void WatchList::draw(ImVec2 corner, float width, float room, const property::Tre
     ImGuiStyle& style = ImGui::GetStyle();
     const auto rows_in = [&](float inside, bool low) {
         std::vector<Row> rows;
+        rows.reserve(pins.size());
         for (const Trace& pin : pins) rows.push_back(row_of(tree, pin, inside, low));
         return rows;
     };
