@@ -57,7 +57,8 @@ struct DistanceConstraint {
     float length = 0.0f;
     Limits limits;
     Spring spring;
-    Line line;  ///< from a to b
+    Line line;              ///< from a to b
+    bool too_long = false;  ///< at the start of the step
 
     static float separation(const Settings& settings, const JointPlace& place) {
         const Limits& limits = settings.limits;
@@ -86,7 +87,8 @@ struct DistanceConstraint {
         if (!rigid && !springy) impulses.along = 0.0f;
         if (!limited) impulses.limits = {};
         if (!driven) impulses.motor = 0.0f;
-        follow(a, b);
+        constexpr float little = 0.01f;  // m
+        too_long = follow(a, b) > (rigid ? length : limits.upper) + little;
     }
 
     /// Rotates the levers and the axis with the bodies; returns the distance.

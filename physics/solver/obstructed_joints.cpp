@@ -140,10 +140,10 @@ class PressedBodies {
     std::vector<Pressed> bodies_;
 };
 
-/// True if a body that is pushed is in an obstacle by more than `obstructed_gap` already, and the
-/// way out is against the push. The impulse of that contact may be missing, since a body that was
-/// thrown keeps none. `velocity`: of the push.
-bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity) {
+/// True if a body that is pushed overlaps an obstacle by more than `overlap`, and the way out is
+/// against the push. The impulse of that contact may be missing, since a body that was thrown keeps
+/// none. `velocity`: of the push.
+bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap) {
     constexpr float against = -0.7f;  // cosine
     return objects.any_contact(objects.bodies[body].lists.first_contact, none, [&](uint32_t slot) {
         const ContactRecord& c = objects.contacts[slot];
@@ -152,7 +152,7 @@ bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity) {
         const Vec2 out = c.body_b == body ? c.manifold.normal : -c.manifold.normal;
         return dot(out, velocity) < against &&
                std::any_of(c.manifold.points, c.manifold.points + c.manifold.count,
-                           [](const ManifoldPoint& p) { return p.separation < -obstructed_gap; });
+                           [=](const ManifoldPoint& p) { return p.separation < -overlap; });
     });
 }
 
@@ -166,8 +166,21 @@ void limit_gap(const JointSource& source, const JointRecord& joint, float h, Joi
         if (source.objects.bodies[joint.bodies[side]].mobility != Mobility::dynamic) continue;
         pressed.follow(side);
         if (pressed.borne() > least_borne * push.impulse ||
-            is_in_obstacle(source.objects, joint.bodies[side],
-                           side == 0 ? -push.along : push.along))
+            is_in_obstacle(source.objects, joint.bodies[side], side == 0 ? -push.along : push.along,
+                           obstructed_gap))
+            ends.greatest_error = obstructed_gap;
+    }
+}
+
+/// A rope that is too long pulls a body along an obstacle in jerks: in the last sub-step there may
+/// have been no force, and the next one would pull for the whole gap. So touching is enough.
+void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, JointEnds& ends) {
+    constexpr float touching = -0.001f;                                    // m of overlap
+    const Vec2 along = normalized(place_of(source.columns, joint).gap());  // from a to b
+    for (const size_t side : {0u, 1u}) {
+        const uint32_t body = joint.bodies[side];
+        if (source.objects.bodies[body].mobility != Mobility::dynamic) continue;
+        if (is_in_obstacle(source.objects, body, side == 0 ? along : -along, touching))
             ends.greatest_error = obstructed_gap;
     }
 }
@@ -202,6 +215,8 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
         JointEnds& ends = kind.ends(array, k);
         const SolverBody &a = bodies[ends.a], &b = bodies[ends.b];
         if (may_be_obstructed(joint.force, a, b, step.h)) limit_gap(source, joint, step.h, ends);
+        if (kind.is_too_long != nullptr && kind.is_too_long(array, k))
+            limit_gap_of_rope(source, joint, ends);
         if (solver != Solver::soft_step || kind.drive == nullptr) return;
         const Drive drive = kind.drive(array, k);
         if (drive.greatest != nullptr && may_press(drive, a, b))

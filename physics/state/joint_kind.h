@@ -90,6 +90,9 @@ struct JointKind {
     Pass warm_start, solve, relax;
     JointLoad (*load)(const JointArray& array, size_t index);
     JointEnds& (*ends)(JointArray& array, size_t index);
+    /// True for a rope or a rod that is longer than it may be by more than a little. Null: the
+    /// joint has no length.
+    bool (*is_too_long)(const JointArray& array, size_t index);
     /// Null: the type has no motor.
     Drive (*drive)(JointArray& array, size_t index);
     /// The impulses of a joint in a sub-step, as its type defines them.

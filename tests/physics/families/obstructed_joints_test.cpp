@@ -4,6 +4,8 @@
 #include <fettle/physics/physics.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <functional>
 #include <string>
 
@@ -123,6 +125,41 @@ TEST_CASE("joints that become shorter pull nothing through a fixed obstacle", "[
             CHECK(deepest < (solver == Solver::direct ? 0.15f : 0.05f));
         }
     }
+}
+
+/// A hook above a ceiling that is tilted, so that the rope is not square to its surface.
+TEST_CASE("a rope pulls nothing through a ceiling that is tilted") {
+    unsigned through = 0;
+    float fastest = 0;
+    const unsigned seeds = seeds_or(100);
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        Random random{std::mt19937(seed)};
+        World world({.solver = seed % 4 == 3 ? Solver::direct : Solver::soft_step});
+        Body fixed = world.create_body({.type = BodyType::static_body});
+        const float tilt = random(0, 0.35f), thickness = random(0.3f, 2);
+        fixed.add(Box{.width = 8, .height = thickness, .center = {0, 5}, .angle = tilt});
+        Body player = world.create_body({.position = {random(-0.3f, 0.3f), 1}});
+        if (seed % 2 == 0)
+            player.add(Circle{.radius = random(0.2f, 0.8f)});
+        else
+            player.add(Box{.width = 0.6f, .height = 1});
+        float length = 9.1f;
+        DistanceJoint rope = world.create_distance_joint(
+            {.body_b = player.id(), .anchor_a = {0, 10}, .max_length = length, .hertz = 0});
+        const float rate = random(20, 144), speed = random(1, 5);
+        for (int i = 0; i < int(6 * rate); ++i) {
+            length = std::max(2.0f, length - speed / rate);
+            rope.set_max_length(length);
+            world.step(1 / rate);
+            fastest = std::max(fastest, player.velocity().length());
+        }
+        const Vec2 up = families::turned(tilt + 1.5707963f);
+        const Vec2 from_middle = Vec2(player.position()) - Vec2(0, 5);
+        if (std::abs(from_middle.x) < 4 && from_middle.dot(up) > 0) ++through;
+    }
+    std::printf("ropes below tilted ceilings: %u of %u through, fastest %.1f m/s\n", through, seeds,
+                double(fastest));
+    CHECK(through == 0);
 }
 
 }  // namespace obstructed_joints_test
