@@ -50,7 +50,7 @@ void Hints::forget() {
 std::string Hints::meaning(const Class& of, std::string_view name) const {
     for (const std::string_view way : property_synonyms(name))
         if (of.property(name_in(way)) != nullptr) return std::string(way);
-    const std::string snake = snake_case(name);
+    std::string snake = snake_case(name);
     if (snake != name && of.property(snake) != nullptr) return snake;
     // Shorter names are similar to too many others.
     return name.size() < 7 ? std::string() : property::nearest(name, of.member_names());

@@ -65,7 +65,7 @@ std::string references_with(const Document& document, const Node& list, const Ne
     return list_with(document, list, [&](const Node& reference) {
         int part = 0;
         return list_with(document, reference, [&](const Node& node) {
-            const std::string raw(document.raw(node));
+            std::string raw(document.raw(node));
             switch (part++) {
                 case 0: {
                     const std::string steps = steps_text(renamed_steps(read_steps(raw), names));
