@@ -20,7 +20,7 @@ template <class Change>
 std::string object_with(const Document& document, const Node& object, Change change) {
     std::string text = "{";
     for (const Node* node = document.first(object); node; node = document.next(*node)) {
-        std::string key = document.key(*node);
+        std::string key = document.key(*node);  // NOLINT: `change` may change it
         const std::string value = change(key, *node);
         text += text.size() > 1 ? ", " : "";
         append_quoted(text, key);
