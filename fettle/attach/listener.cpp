@@ -209,7 +209,7 @@ void Listener::receive(Connection& from) {
     }
     if (from.greeted) return;
     const std::size_t end = from.in.find('\n');
-    if (end != std::string::npos && end < longest_greeting) {
+    if (end < longest_greeting) {  // npos is greater
         const std::string line = from.in.substr(0, end);
         from.in.erase(0, end + 1);
         greet(from, line);
@@ -286,7 +286,7 @@ bool Listener::answer_next(Connection& to, Turn& turn) {
     if (!to.greeted || to.ending || to.gone || to.out.size() > limits_.kept || !to.answer.empty())
         return false;
     const std::size_t end = to.in.find('\n');
-    if (end == std::string::npos || end > longest_request) {
+    if (end > longest_request) {  // so is npos
         if (to.in.size() <= longest_request) return false;
         refuse(to, "a request has at most " + std::to_string(longest_request) + " bytes");
         return true;

@@ -38,8 +38,10 @@ class RequestReader : public nlohmann::json_sax<Json> {
         return plain();
     }
     bool string(std::string& value) override {
-        if (name_ == "run") run_ = std::move(value);
-        if (name_ == "complete") complete_ = std::move(value);
+        if (name_ == "run")
+            run_ = std::move(value);
+        else if (name_ == "complete")
+            complete_ = std::move(value);
         return plain();
     }
     bool key(std::string& name) override {

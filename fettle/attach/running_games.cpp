@@ -75,6 +75,7 @@ RunningGame read(const fs::path& file) {
 
 std::string list_of(const std::vector<RunningGame>& all) {
     std::vector<std::string> names;
+    names.reserve(all.size());
     for (const RunningGame& each : all)
         names.push_back(name_of(each.game) + " (" + std::to_string(each.process) + ")");
     return joined(names);
@@ -85,9 +86,9 @@ std::string list_of(const std::vector<RunningGame>& all) {
 fs::path runtime_folder() {
     const char* const given = std::getenv("XDG_RUNTIME_DIR");
     const bool usable = given != nullptr && given[0] == '/';
-    const fs::path folder =
-        usable ? fs::path(given) / "fettle"
-               : fs::temp_directory_path() / ("fettle-" + std::to_string(::geteuid()));
+    fs::path folder = usable
+                          ? fs::path(given) / "fettle"
+                          : fs::temp_directory_path() / ("fettle-" + std::to_string(::geteuid()));
     if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
         throw FileError(folder.string() + ": " + std::strerror(errno));
     struct stat info {};

@@ -38,7 +38,7 @@ struct PackageOptions {
 /// A Debian package needs a name of at least two characters. A name without letters and digits of
 /// ASCII has none, and "fettle" is the package of Fettle itself: then the name is made of the id.
 std::string file_name_of(const std::string& name, const std::string& id) {
-    const std::string of_name = dashed_name(name), of_id = dashed_name(id);
+    std::string of_name = dashed_name(name), of_id = dashed_name(id);
     if (of_name.size() >= 2 && of_name != "fettle") return of_name;
     if (of_id.size() >= 2 && of_id != "fettle") return of_id;
     return of_name == "fettle" ? "fettle-game" : "game";

@@ -17,7 +17,7 @@ std::pair<std::uint64_t, std::string> parse_at(const char* option, const std::st
 }
 
 std::filesystem::path parse_picture(const std::string& text) {
-    const std::filesystem::path file = checked_text("--screenshot", text, "a file");
+    std::filesystem::path file = checked_text("--screenshot", text, "a file");
     for (const char* const known : {".png", ".jpg", ".jpeg", ".bmp", ".tga"})
         if (file.extension() == known) return file;
     throw CLI::ValidationError("--screenshot",

@@ -137,6 +137,7 @@ void write_start(const fs::path& file, const std::string& here) {
 /// Runs a program and waits for it. Throws FileError if it fails.
 void run_tool(const std::vector<std::string>& command) {
     std::vector<char*> arguments;
+    arguments.reserve(command.size() + 1);
     for (const std::string& each : command) arguments.push_back(const_cast<char*>(each.c_str()));
     arguments.push_back(nullptr);
     pid_t child = 0;

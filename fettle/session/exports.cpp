@@ -25,7 +25,7 @@ fs::path free_name(const fs::path& player, const std::string& name, const std::s
     fs::create_directories(folder, error);
     if (error) throw FileError(folder.string() + ": " + error.message());
     for (int i = 1; i <= most_exports; ++i) {
-        const fs::path file = folder / (stem + "-" + std::to_string(i) + "." + kind);
+        fs::path file = folder / (stem + "-" + std::to_string(i) + "." + kind);
         if (!fs::exists(fs::symlink_status(file, error))) return file;
     }
     throw FileError(folder.string() + ": there are " + std::to_string(most_exports) +

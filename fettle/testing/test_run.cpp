@@ -66,7 +66,7 @@ std::string file_name_of(const TestChoice& choice) {
 fs::path folder_for_failures(const fs::path& game) {
     std::error_code error;
     for (const fs::path& above : {folder_of(game), fs::temp_directory_path(error) / "fettle"}) {
-        const fs::path folder = above / ".fettle" / "tests";
+        fs::path folder = above / ".fettle" / "tests";
         fs::create_directories(folder, error);
         if (!error) return folder;
     }

@@ -15,12 +15,12 @@ using Bytes = std::vector<unsigned char>;
 /// Spaces and line ends are skipped.
 Bytes from_base64(const Place& place, std::string_view text) {
     static const auto values = [] {
-        std::array<signed char, 256> all;
+        std::array<std::int16_t, 256> all;
         all.fill(-1);
         constexpr std::string_view digits =
             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         for (std::size_t i = 0; i < digits.size(); ++i)
-            all[static_cast<unsigned char>(digits[i])] = static_cast<signed char>(i);
+            all[static_cast<unsigned char>(digits[i])] = static_cast<std::int16_t>(i);
         return all;
     }();
     Bytes bytes;

@@ -24,7 +24,7 @@ constexpr double largest = 4'000'000;  // products of two differences fit in 64 
 
 struct Point {
     std::int64_t x, y;
-    auto operator<=>(const Point&) const = default;
+    auto operator<=>(const Point&) const = default;  // NOLINT: no pointer
 };
 
 Point operator-(const Point& a, const Point& b) {
@@ -42,7 +42,7 @@ std::int64_t dot(const Point& a, const Point& b) {
 struct Line {
     Point direction;
     std::int64_t offset;
-    auto operator<=>(const Line&) const = default;
+    auto operator<=>(const Line&) const = default;  // NOLINT: no pointer
 };
 
 /// A change of the sum of edges at a point of a line.
@@ -152,7 +152,7 @@ class Junctions {
     struct End {
         Point at;
         std::size_t edge;
-        auto operator<=>(const End&) const = default;
+        auto operator<=>(const End&) const = default;  // NOLINT: no pointer
     };
     std::vector<End> begins_;           // by their points, then in the order of the edges
     std::vector<std::size_t> follows_;  // for each edge, the first of `begins_` at its end

@@ -91,6 +91,7 @@ fettle_painter painter_table(Painter& painter) {
     table.polygon = [](void* self, const double* vertices, std::uint32_t count, double rounding,
                        const float* fill, const float* border, float width) {
         std::vector<Vec2> corners;
+        corners.reserve(count);
         for (std::uint32_t i = 0; i < count; ++i) corners.push_back(point(vertices + 2 * i));
         painter_of(self).polygon(corners, rounding, {color(fill), color(border), width});
     };

@@ -122,7 +122,7 @@ std::string EffectPass::draw(sf::RenderTarget& target, const Effect& effect,
                              const std::function<bool(sf::Texture&)>& copy) {
     if (!sf::Shader::isAvailable())
         return effect.name + ": this computer draws without shaders, so the picture stays as it is";
-    const std::string problem = compile(effect);
+    std::string problem = compile(effect);
     if (shader_ == nullptr) return problem;
     const sf::Vector2u size = target.getSize();
     if (picture_.getSize() != size && !sfml::create(picture_, size.x, size.y))

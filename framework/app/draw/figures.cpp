@@ -116,6 +116,7 @@ void Canvas::polygon(std::span<const Vec2> vertices, double rounding, const Pain
         return figure(static_cast<float>(radius), paint);
     }
     std::vector<Vec2> outline;
+    outline.reserve(vertices.size());
     for (const Vec2& vertex : vertices) outline.push_back(exact(vertex));
     if (radius > 0 || outline.size() < 3)
         outline = visible_area(paint).rounded(outline, std::max(radius, 0.5));

@@ -115,6 +115,7 @@ void read_entry(GamepadMapping& mapping, std::string_view entry) {
 
 [[noreturn]] void refuse_controller(std::string_view name) {
     std::vector<std::string> known;
+    known.reserve(controllers.size());
     for (const Controller& each : controllers) known.emplace_back(each.name);
     throw std::invalid_argument("\"" + std::string(name) +
                                 "\" is neither a known controller nor an entry such as a:b0" +

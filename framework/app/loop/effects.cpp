@@ -67,7 +67,7 @@ std::map<std::string, std::string> uniforms_in(const std::string& code) {
                   (words[i] == "lowp" || words[i] == "mediump" || words[i] == "highp");)
             ++i;
         if (i >= words.size()) break;
-        const std::string type = words[i];
+        const std::string& type = words[i];
         // Names are at the beginning, and after a comma that is not between parentheses.
         int depth = 0;
         bool named = false;

@@ -173,8 +173,8 @@ std::vector<Property> place_properties(View& view) {
 /// The properties for following an instance, with their places in the view.
 std::vector<Property> bound_following_properties(View& view) {
     std::vector<Property> made = following_properties();
-    const auto put = [&made](std::string_view name, property::Binding binding) {
-        std::ranges::find(made, name, &Property::name)->binding = std::move(binding);
+    const auto put = [&made](std::string_view name, const property::Binding& binding) {
+        std::ranges::find(made, name, &Property::name)->binding = binding;
     };
     put("follow",
         accessor(

@@ -10,6 +10,7 @@ using property::Paint;
 sf::Color native(property::Color color, float opacity) {
     const auto channel = [](float value) {
         // Rounds to the nearest: the value is not negative. std::lround is a call of the library.
+        // NOLINTNEXTLINE(bugprone-incorrect-roundings)
         return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0f, 1.0f) + 0.5f);
     };
     return {channel(color.r), channel(color.g), channel(color.b), channel(color.a * opacity)};

@@ -71,7 +71,7 @@ std::string key_name(sf::Keyboard::Key key) {
 
 std::string key_name(sf::Keyboard::Key key, bool pressed) {
     static std::optional<sf::Keyboard::Key> left_of_1;  // while it is held down
-    const std::string name = key_name(key);
+    std::string name = key_name(key);
     // In all layouts it types a sign, or a letter that SFML does not know.
     const bool may_be = name.empty() || key == sf::Keyboard::Key::LBracket ||
                         key == sf::Keyboard::Key::RBracket || key == sf::Keyboard::Key::Backslash ||

@@ -136,12 +136,14 @@ void Audio::State::set_bus(Row row, const std::string& name) {
 
 std::vector<Handle> Audio::State::by_age() const {
     std::vector<std::pair<std::int64_t, Handle>> all;
+    all.reserve(voices.size());
     for (const Handle voice : voices)
         all.emplace_back(tree.peek(voice, *of_voice.order).integer(), voice);
     std::ranges::sort(all, {}, [](const auto& one) {
         return std::pair(one.first, std::pair(one.second.index, one.second.generation));
     });
     std::vector<Handle> handles;
+    handles.reserve(all.size());
     for (const auto& [order, voice] : all) handles.push_back(voice);
     return handles;
 }

@@ -113,7 +113,7 @@ Value Binding::shown(const Widget& widget, const Value& target) const {
 
 /// Converts the value of the widget to a value of the property.
 Value Binding::wanted(const Widget& widget, const Place& place, const Value& own) const {
-    const Value target = read(widgets_.tree(), place);
+    Value target = read(widgets_.tree(), place);
     if (widget.kind == Kind::slider && target.is(Type::integer))
         return static_cast<std::int64_t>(std::llround(own.as_double()));
     if (widget.kind == Kind::list && target.is(Type::text)) {

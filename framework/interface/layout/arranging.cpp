@@ -55,7 +55,8 @@ void Layout::arrange_panel(Widget& widget, const Box& inner, const Box& clip) {
         Widget& one = widgets_[child];
         const auto n = static_cast<int>(
             std::find(anchors.begin(), anchors.end(), one.placing.anchor) - anchors.begin());
-        const Vec2 part(0.5 * (n % 3), 0.5 * (n / 3));
+        const int column = n % 3, row = n / 3;
+        const Vec2 part(0.5 * column, 0.5 * row);
         Vec2 size = one.arranged.wanted;
         for (const int axis : {0, 1})
             if (fills(one, axis))

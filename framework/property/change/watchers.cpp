@@ -287,6 +287,7 @@ std::vector<WatcherId> Watchers::of_deletion(Handle instance, const Class& insta
         });
     keep_registered_until(out, last_id_);
     std::vector<WatcherId> ids;
+    ids.reserve(out.size());
     for (const Watcher* watcher : out) ids.push_back(watcher->id);
     return ids;
 }

@@ -154,6 +154,7 @@ const Class& Tree::class_named(std::string_view name) const {
 
 std::vector<const Class*> Tree::classes() const {
     std::vector<const Class*> all;
+    all.reserve(state_->instances.classes.size());
     for (std::uint32_t i = 0; i < state_->instances.classes.size(); ++i)
         all.push_back(&state_->instances.classes[i]);
     return all;

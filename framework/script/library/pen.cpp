@@ -62,7 +62,7 @@ property::Media& media(lua_State* L, const char* what) {
 std::string font_at(lua_State* L, int index, const char* what) {
     if (lua_isnoneornil(L, index)) return "sans";
     if (lua_type(L, index) == LUA_TSTRING) {
-        const std::string font = string_at(L, index);
+        std::string font = string_at(L, index);
         if (property::Media* const media = machine_of(L).options.media)
             media->load_font([=] { return position(L) + what; }, font);
         return font;

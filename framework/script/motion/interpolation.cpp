@@ -60,6 +60,7 @@ Value mix(const Value& from, const Value& to, double part, const Property& prope
     }
     if (from.is(Type::color)) return between(from.color(), to.color(), part);
     List list;
+    list.reserve(from.list().size());
     for (std::size_t i = 0; i < from.list().size(); ++i)
         list.push_back(mix(from.list()[i], to.list()[i], part, property));
     return list;

@@ -68,7 +68,7 @@ property::List listed(lua_State* L, int index) {
 
 /// The nearest name, or else how all of them are made.
 std::string near_ease(const std::string& name) {
-    const std::string near = property::suggestion(name, ease_names());
+    std::string near = property::suggestion(name, ease_names());
     if (!near.empty()) return near;
     return "; there are \"linear\", and in_, out_ or in_out_ before quad, cubic, quart, quint, "
            "sine, expo, circ, back, elastic and bounce";

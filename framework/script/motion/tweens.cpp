@@ -76,7 +76,7 @@ Value Tweens::require_possible(Handle target, const std::string& name, const Val
                " has a formula, which computes its value; assign a plain value first");
     const Value begin =
         from.is_nil() ? tree.get(target, property) : tree.coerce(target, property, from);
-    const Value end = tree.coerce(target, property, to);
+    Value end = tree.coerce(target, property, to);
     if (begin.is_nil())
         refuse(ErrorKind::wrong_type, " is nil; assign the value at which the tween begins first");
     if (!mixable(begin, end))

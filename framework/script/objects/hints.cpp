@@ -61,7 +61,7 @@ std::vector<std::string> property_names(const Class& of) {
 std::string Hints::meaning(const Class& of, std::string_view name) const {
     for (const std::string_view way : property_synonyms(name))
         if (of.property(name_in(way)) != nullptr) return std::string(way);
-    const std::string snake = snake_case(name);
+    std::string snake = snake_case(name);
     if (snake != name && of.property(snake) != nullptr) return snake;
     // Shorter names are similar to too many others.
     return name.size() < 7 ? std::string() : property::nearest(name, property_names(of));

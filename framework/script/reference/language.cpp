@@ -362,6 +362,7 @@ namespace {
 
 std::vector<std::string> names_of(const std::vector<GlobalDoc>& docs) {
     std::vector<std::string> names;
+    names.reserve(docs.size());
     for (const GlobalDoc& doc : docs) names.emplace_back(doc.name);
     return names;
 }

@@ -48,6 +48,7 @@ std::vector<std::string> columns(const std::vector<std::vector<std::string>>& ro
         for (std::size_t i = 0; i < row.size(); ++i) wide[i].push_back(cell_count(row[i]));
     }
     std::vector<std::size_t> widths;
+    widths.reserve(wide.size());
     for (std::vector<std::size_t>& column : wide) widths.push_back(column_width(column));
     std::vector<std::string> lines;
     for (const auto& row : rows) {

@@ -71,6 +71,7 @@ float checked_channel(double value, const char* name, const std::string& meant =
 /// The color of three or four numbers from `index` on.
 Color check_channels(lua_State* L, int index, int count) {
     property::List given;
+    given.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) given.emplace_back(check_number(L, index + i, "color"));
     Color color;
     float* const channels[] = {&color.r, &color.g, &color.b, &color.a};

@@ -130,9 +130,9 @@ void Grid::put(const Cell& cell) {
 
 Value Grid::change(const Value& list, std::span<const Cell> cells) {
     if (cells.empty()) return list;
-    const auto [low, high] = std::ranges::minmax(cells, {}, &Cell::y);
-    const auto begin = [&] { return changes_.lower_bound(low.y); };
-    const auto end = [&] { return changes_.upper_bound(high.y); };
+    const auto changed = std::ranges::minmax(cells, {}, &Cell::y);
+    const auto begin = [&] { return changes_.lower_bound(changed.min.y); };
+    const auto end = [&] { return changes_.upper_bound(changed.max.y); };
     const auto number = std::distance(changes_.begin(), begin());
     const auto replaced = std::distance(begin(), end());
     for (const Cell& cell : cells) put(cell);

@@ -303,7 +303,7 @@ void check_identity(std::int64_t application, std::int64_t version, const FileFo
 
 void check_header(std::string_view file, const FileFormat& format) {
     // https://sqlite.org/fileformat.html: numbers are big-endian.
-    constexpr std::string_view magic{"SQLite format 3", 16};  // with its zero byte
+    constexpr std::string_view magic{"SQLite format 3\0", 16};
     constexpr std::size_t size = 100, version_at = 60, application_at = 68;
     if (file.size() < size || !file.starts_with(magic))
         throw std::runtime_error("it is not a database");

@@ -51,7 +51,7 @@ fs::path Assets::path_of(std::string_view what, const std::string& name) const {
 }
 
 fs::path Assets::find(std::string_view what, const std::string& name, Endings endings) const {
-    const fs::path own = path_of(what, name);
+    fs::path own = path_of(what, name);
     if (!game_.empty() && files_.exists(own)) return own;
     if (!shared_.empty() && files_.exists(shared_ / name)) return shared_ / name;
     throw Error(ErrorKind::unknown_name, std::string(what) + ": there is no file \"" + name + "\"" +

@@ -11,7 +11,7 @@
 namespace fettle::property {
 
 std::string system_reason(int error) {
-    const std::string words = std::generic_category().message(error);
+    std::string words = std::generic_category().message(error);
     if (error == ENOSPC) return "the disk is full (" + words + ")";
     if (error == EDQUOT) return "the disk quota is used up (" + words + ")";
     if (error == EFBIG) return "a file may not become that large here (" + words + ")";

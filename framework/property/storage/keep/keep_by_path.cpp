@@ -171,6 +171,7 @@ void keep_moves_by_path(KeepRun& run, Rows rows) {
     });
     const auto steps = [&](const Rows& some) {
         std::vector<MoveStep> moves;
+        moves.reserve(some.size());
         for (std::size_t i = 0; i < some.size(); ++i)
             moves.push_back({i, some[i]->instance, target(*some[i])});
         return moves;

@@ -83,7 +83,7 @@ void KeepRun::update_other_scenes(const Rows& rows) {
 
 InstanceMoves KeepRun::change_homes(const std::vector<MoveStep>& moves,
                                     const std::filesystem::path& file) {
-    const InstanceMoves all = combined_moves(moves);
+    InstanceMoves all = combined_moves(moves);
     rename_in_scenes(all, file);
     change_paths_in_rows(all);
     return all;

@@ -252,12 +252,14 @@ TweakReport Tweaks::State::reapply(std::string_view pattern) {
         reapplying.reapply(rows);
     }
     make_fresh_entries();
-    for (const auto& [row, instance] : reapplying.applied())
-        if (Entry* entry = entry_about(*row, instance)) {
+    for (const auto& applied : reapplying.applied()) {
+        JournalRow* const row = applied.first;
+        if (Entry* entry = entry_about(*row, applied.second)) {
             // What it became before, if that was undone, says nothing about it any more.
             std::erase_if(earlier.reapplied, [&](const auto& each) { return each.first == row; });
             earlier.reapplied.emplace_back(row, entry);
         }
+    }
     return report;
 }
 

@@ -48,6 +48,7 @@ Stage stage_of(const JournalRow& row, const Rows& rows) {
 
 Rows in_stages(const Rows& rows) {
     std::vector<std::pair<Stage, JournalRow*>> stages;
+    stages.reserve(rows.size());
     for (JournalRow* row : rows) stages.emplace_back(stage_of(*row, rows), row);
     std::ranges::stable_sort(stages, {}, [](const auto& each) { return each.first; });
     Rows ordered;

@@ -105,6 +105,7 @@ std::vector<double> read_numbers(const ReadJson& json, std::size_t count) {
     if (!json.is_array() || json.size() != count)
         damaged_store(std::to_string(count) + " numbers were expected, found " + json.dump());
     std::vector<double> numbers;
+    numbers.reserve(json.size());
     for (const ReadJson& each : json) numbers.push_back(read_number(each));
     return numbers;
 }

@@ -29,7 +29,8 @@ EditMoment Tweaks::State::moment() {
         Entry& its = *each;
         if (its.away) continue;
         if (its.saved == nullptr) {
-            its.saved = std::make_shared<const SavedEntry>(SavedEntry{its, renames.size()});
+            const EntryState& state = its;
+            its.saved = std::make_shared<const SavedEntry>(SavedEntry{state, renames.size()});
             bytes += sizeof(SavedEntry) + its.values.bytes() + its.scene.size() +
                      2 * (its.row.now.size() + its.row.was.size() + its.row.inside.size() +
                           its.row.instance.size() + its.row.file.size());

@@ -20,7 +20,7 @@ template <class Change>
 std::string object_with(const Document& document, const Node& object, Change change) {
     std::string text = "{";
     for (const Node* node = document.first(object); node; node = document.next(*node)) {
-        std::string key = document.key(*node);
+        std::string key = document.key(*node);  // NOLINT: `change` may change it
         const std::string value = change(key, *node);
         text += text.size() > 1 ? ", " : "";
         append_quoted(text, key);
@@ -65,7 +65,7 @@ std::string references_with(const Document& document, const Node& list, const Ne
     return list_with(document, list, [&](const Node& reference) {
         int part = 0;
         return list_with(document, reference, [&](const Node& node) {
-            const std::string raw(document.raw(node));
+            std::string raw(document.raw(node));
             switch (part++) {
                 case 0: {
                     const std::string steps = steps_text(renamed_steps(read_steps(raw), names));

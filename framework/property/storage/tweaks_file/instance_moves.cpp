@@ -39,7 +39,7 @@ void InstanceMoves::add(const std::string& home, const std::string& now) {
 
 std::string InstanceMoves::home(const std::string& now) const {
     const auto [beginning, rest] = replaced(homes_, now);
-    const std::string home = beginning + rest;
+    std::string home = beginning + rest;
     for (std::size_t end = beginning.size() + 1; !nows_.empty() && end <= home.size(); ++end) {
         if (end < home.size() && home[end] != '.' && home[end] != '[') continue;
         if (!nows_.contains(home.substr(0, end))) continue;

@@ -20,6 +20,7 @@ std::vector<std::string> KeptTweaks::deepest_first(const std::vector<std::string
     std::vector<std::string> before(paths.size());
     for (const auto& [depth, places] : by_depth) {
         std::vector<std::string> of_depth;
+        of_depth.reserve(places.size());
         for (const std::size_t i : places) of_depth.push_back(paths[i]);
         std::vector<std::string> removed = remove(of_depth);
         for (std::size_t i = 0; i < places.size(); ++i) before[places[i]] = std::move(removed[i]);
@@ -148,6 +149,7 @@ std::vector<std::string> KeptTweaks::about(const PathSet& set,
         for (const std::size_t above : set.above(each.now))
             if (paths[above] != each.now) append(lists[above][3], "moved", each.key);
     std::vector<std::string> texts;
+    texts.reserve(lists.size());
     for (const auto& [values, created, deleted, moved] : lists)
         texts.push_back("{\"values\": {" + values + "}, \"created\": {" + created +
                         "}, \"deleted\": [" + deleted + "]" +

@@ -230,7 +230,7 @@ void KeptTweaks::report_unused_values() {
 
 std::vector<Handle> KeptTweaks::apply_all() {
     waiting_.clear();  // they are added again
-    const std::vector<Handle> moved = apply_structure();
+    std::vector<Handle> moved = apply_structure();
     apply_values(tree_.root());
     applied_ = true;
     compare_with_given();
