@@ -60,9 +60,8 @@ std::optional<Gap> gap_of(const JointPlan& joint, const std::vector<BodyNow>& bo
             return Gap{apart, beyond(angle, joint.number("set_lower_angle", -infinity),
                                      joint.number("set_upper_angle", infinity))};
         case JointType::weld:
-            return Gap{
-                std::isinf(joint.number("set_hertz", infinity)) ? apart : 0,
-                std::isinf(joint.number("set_angular_hertz", infinity)) ? held : 0};
+            return Gap{std::isinf(joint.number("set_hertz", infinity)) ? apart : 0,
+                       std::isinf(joint.number("set_angular_hertz", infinity)) ? held : 0};
         case JointType::prismatic: {
             Gap gap = rail(joint, at, a.angle, {1, 0});
             gap.angle = held;
