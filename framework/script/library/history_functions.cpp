@@ -129,7 +129,7 @@ Place place_at(lua_State* L, const char* what) {
     Machine& machine = machine_of(L);
     const std::string path = with_selected(
         machine, check_text(L, 1, std::string(what) + ": needs a path like \"world.ball.mass\""));
-    const Place place = property::resolve(machine.tree, path);
+    Place place = property::resolve(machine.tree, path);
     // A part that the value does not have, such as the x of a number, is refused.
     if (!place.part.empty())
         (void)property::part_of(machine.tree.peek(place.instance, *place.property), place.part,

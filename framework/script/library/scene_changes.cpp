@@ -199,7 +199,7 @@ void change_without_transition(Machine& machine) {
 // --- go_to_scene
 
 Arguments arguments_at(lua_State* L, int index) {
-    const std::string what = "go_to_scene: args";
+    std::string what = "go_to_scene: args";
     const auto text = [&] { return what; };
     if (!lua_istable(L, index) || lua_rawlen(L, index) > 0)
         return {.value = lua_isnoneornil(L, index) ? Value() : to_value(L, index, text)};

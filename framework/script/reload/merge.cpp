@@ -217,7 +217,7 @@ void Merge::apply_one(Handle to, const std::string& name, const Assignment* now,
     if (property != nullptr && (property->read_only || is_set_by_files(to, *property, now))) return;
     const bool same_text = now != nullptr && now->formula && before != nullptr && before->formula &&
                            before->formula->source == now->formula->source;
-    const std::string place = now == nullptr ? std::string() : now->place;
+    std::string place = now == nullptr ? std::string() : now->place;
     std::function<std::string()> locate = [&place] { return place; };
     const property::Tree::CauseScope cause(tree_, property::Writer::script, &locate);
     set(to, name, now, before);
