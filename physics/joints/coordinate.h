@@ -172,11 +172,15 @@ void solve_limits(const Limits& limits, LimitImpulses& impulses, float mass, flo
         push(-push_limit<biased>(impulses.upper, mass, -velocity(), limits.upper - position, step));
 }
 
+/// `greatest`: the impulse that a limit may exert.
 inline void write_limits(const Limits& limits, LimitImpulses& impulses, float position,
-                         const Jacobian& jacobian, RowWriter& rows) {
-    if (limits.lower > -infinity) rows.limit(jacobian, position - limits.lower, impulses.lower);
+                         const Jacobian& jacobian, float greatest, RowWriter& rows) {
+    const auto limit = [&](const Jacobian& along, float room, float& impulse) {
+        rows.limit(along, room, impulse).high = double(greatest);
+    };
+    if (limits.lower > -infinity) limit(jacobian, position - limits.lower, impulses.lower);
     if (limits.upper < infinity)
-        rows.limit(jacobian.opposite(), limits.upper - position, impulses.upper);
+        limit(jacobian.opposite(), limits.upper - position, impulses.upper);
 }
 
 struct CoordinateSettings {
@@ -308,7 +312,7 @@ struct Coordinate {
             const float speed = motor.speed_within(limits, position, 1.0f / float(rows.h()));
             rows.motor(jacobian, speed, motor.greatest, impulses.motor);
         }
-        write_limits(limits, impulses.limits, position, jacobian, rows);
+        write_limits(limits, impulses.limits, position, jacobian, infinity, rows);
     }
 };
 

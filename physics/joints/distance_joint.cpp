@@ -134,16 +134,20 @@ struct DistanceConstraint {
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         const float distance = follow(a, b), error = distance - length;
         const Jacobian along = line.jacobian(ends);
+        // Between an obstacle and a rod there may be no solution: the rod yields.
+        const float greatest = ends.greatest_impulse(line.mass, float(rows.h()));
         if (springy) {
             DirectRow& row = rows.spring(along, spring, line.mass, error, impulses.along);
             if (weak && rows.biased()) row.low = double(least), row.high = double(most);
         } else if (rigid) {
-            rows.hold(along, ends.bounded_error(error), impulses.along);
+            DirectRow& row = rows.hold(along, ends.bounded_error(error), impulses.along);
+            row.low = -double(greatest), row.high = double(greatest);
         }
         if (driven)
             rows.motor(along, motor.speed_within(limits, distance, 1.0f / float(rows.h())),
                        motor.greatest, impulses.motor);
-        write_limits(limits, impulses.limits, bounded_place(ends, limits, distance), along, rows);
+        write_limits(limits, impulses.limits, bounded_place(ends, limits, distance), along,
+                     greatest, rows);
     }
     JointLoad load() const { return {impulses.sum() * line.direction, 0.0f}; }
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {

@@ -101,7 +101,8 @@ struct PulleyConstraint {
         Jacobian rope = {ends.a, ends.b, {}, {}};
         side_a.write(1.0f, rope.on_a);
         side_b.write(ratio, rope.on_b);
-        rows.limit(rope, room(), impulses.tension);
+        rows.limit(rope, room(), impulses.tension).high =
+            double(ends.greatest_impulse(mass, float(rows.h())));
     }
     JointLoad load() const { return {-(ratio * impulses.tension) * side_b.direction, 0.0f}; }
 

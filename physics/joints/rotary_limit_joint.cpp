@@ -46,7 +46,7 @@ struct RotaryLimitConstraint {
             [&](float p) { detail::twist(a, b, p); });
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
-        write_limits(limits, impulses, angle(a, b), Jacobian::turning(ends), rows);
+        write_limits(limits, impulses, angle(a, b), Jacobian::turning(ends), infinity, rows);
     }
     JointLoad load() const { return {{}, impulses.sum()}; }
 
