@@ -14,8 +14,8 @@ class WeldJoint : public Joint {
   public:
     using Joint::Joint;
 
-    /// rad, of b relative to a, minus the reference angle: held at 0. Whole turns do not count, so it
-    /// is within half a turn.
+    /// rad, of b relative to a, minus the reference angle: held at 0. Whole turns do not count, so
+    /// it is within half a turn.
     float angle() const;
     float reference_angle() const;  ///< rad, finite: angle of b relative to a that counts as 0
     void set_reference_angle(float angle);

@@ -34,8 +34,8 @@ class PrismaticJoint : public Joint {
     void set_damping_ratio(float ratio);
     float target_translation() const;  ///< m
     void set_target_translation(float translation);
-    /// rad, of b relative to a, minus the reference angle: held at 0. Whole turns do not count, so it
-    /// is within half a turn.
+    /// rad, of b relative to a, minus the reference angle: held at 0. Whole turns do not count, so
+    /// it is within half a turn.
     float angle() const;
     float reference_angle() const;  ///< rad, finite: angle of b relative to a that is held
     void set_reference_angle(float angle);

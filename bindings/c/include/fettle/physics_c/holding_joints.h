@@ -157,7 +157,8 @@ fettle_code fettle_revolute_joint_motor_torque(const fettle_world* world, fettle
 
 /* --- weld joints --- */
 
-/** Rad, of b relative to a, minus the reference angle: held at 0. Whole turns do not count, so it is within half a turn. */
+/** Rad, of b relative to a, minus the reference angle: held at 0. Whole turns do not count, so it
+ * is within half a turn. */
 fettle_code fettle_weld_joint_angle(const fettle_world* world, fettle_id joint, float* angle);
 
 /** Rad; finite. */

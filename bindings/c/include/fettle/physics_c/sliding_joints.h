@@ -62,7 +62,8 @@ fettle_code fettle_prismatic_joint_target_translation(const fettle_world* world,
 fettle_code fettle_prismatic_joint_set_target_translation(fettle_world* world, fettle_id joint,
                                                           float target_translation);
 
-/** Rad, of b relative to a, minus the reference angle: held at 0. Whole turns do not count, so it is within half a turn. */
+/** Rad, of b relative to a, minus the reference angle: held at 0. Whole turns do not count, so it
+ * is within half a turn. */
 fettle_code fettle_prismatic_joint_angle(const fettle_world* world, fettle_id joint, float* angle);
 
 /** Rad; finite. */
