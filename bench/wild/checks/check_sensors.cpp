@@ -32,8 +32,10 @@ class Sensors : public Check {
             const auto pair = shapes_inside_.find(pair_of(end));
             if (pair != shapes_inside_.end() && --pair->second == 0) shapes_inside_.erase(pair);
         }
-        for (const auto& [pair, words] : entered_)
-            if (!reported.contains(pair)) return words;
+        // After an edit of its mask in between, no begin is due.
+        for (const Entry& entry : entered_)
+            if (!reported.contains(entry.pair) && !moment.edited_bodies[entry.body])
+                return entry.words;
         entered_.clear();
         for (const Passage& passage : passages_.of(moment)) {
             if (passage.sense < 0) continue;
@@ -43,11 +45,12 @@ class Sensors : public Check {
             const std::uint32_t sensor = moment.after[std::size_t(passage.obstacle)].slot;
             const Pair pair = {sensor, moment.after[body].slot};
             if (reported.contains(pair)) continue;
-            entered_.emplace_back(
-                pair, "body " + std::to_string(passage.body) + " enters the sensor on body " +
-                          std::to_string(passage.obstacle) + " at " +
-                          std::to_string(int(moment.after[body].velocity.length())) +
-                          " m/s, and no begin is reported");
+            entered_.push_back({pair, body,
+                                "body " + std::to_string(passage.body) +
+                                    " enters the sensor on body " +
+                                    std::to_string(passage.obstacle) + " at " +
+                                    std::to_string(int(moment.after[body].velocity.length())) +
+                                    " m/s, and no begin is reported"});
         }
         return {};
     }
@@ -58,9 +61,15 @@ class Sensors : public Check {
         return {event.sensor_body.index, event.visitor_body.index};
     }
 
+    struct Entry {
+        Pair pair;
+        std::size_t body;
+        std::string words;
+    };
+
     Passages passages_;
     std::map<Pair, int> shapes_inside_;  // the number of overlaps that have begun and not ended
-    std::vector<std::pair<Pair, std::string>> entered_;  // in the last step, not reported yet
+    std::vector<Entry> entered_;         // in the last step, not reported yet
 };
 
 }  // namespace
