@@ -72,7 +72,7 @@ struct JointEnds {
     float share = 1.0f;         ///< of its mass, with which it pushes: solver/crowded_joints.h
     /// A length or a translation that is wrong by more counts as wrong by this, m. See
     /// solver/obstructed_joints.h.
-    float greatest_error = 1e30f;
+    float greatest_error = infinity;
 
     void follow(const SolverBody& body_a, const SolverBody& body_b) {
         lever_a = turned(start_a, body_a.turn);
@@ -83,10 +83,11 @@ struct JointEnds {
         return apart + (body_b.shift - body_a.shift) + (lever_b - lever_a);
     }
     float bounded_error(float error) const { return clamp(error, -greatest_error, greatest_error); }
-    /// What a rigid row of 60 Hz bears for the greatest error in a sub-step, N s.
+    /// What a rigid row of 60 Hz bears for the greatest error in a sub-step, N s. Without an
+    /// obstacle it has no limit: only such rows pass an impact on (solver/joint_response.h).
     float greatest_impulse(float mass, float h) const {
         constexpr float rate = 60.0f * two_pi<float>;
-        return mass * rate * rate * greatest_error * h;
+        return greatest_error < infinity ? mass * rate * rate * greatest_error * h : infinity;
     }
     float angle_now(const SolverBody& body_a, const SolverBody& body_b) const {
         return angle + (body_b.turn - body_a.turn);

@@ -66,6 +66,30 @@ TEST_CASE("bodies that joints hold together bounce like one body") {
     CHECK(worst > 0.9);
 }
 
+TEST_CASE("two balls on a rod bounce like one body") {
+    double worst = 1.0;
+    for (unsigned seed = 0; seed < seeds_or(50); ++seed) {
+        Random random{std::mt19937(seed)};
+        World world({.sleeping = false});
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 100, .height = 2, .center = {0, -1}}, elastic);
+        const Vec2 half = random(0.4f, 1) * families::turned(random(-3, 3));
+        const Vec2 middle = {0, random(2, 6)};
+        std::vector<Body> bodies;
+        for (const float side : {-1.0f, 1.0f}) {
+            bodies.push_back(world.create_body({.position = middle + side * half}));
+            bodies.back().add(Circle{.radius = 0.25f}, elastic);
+        }
+        world.create_distance_joint(
+            {.body_a = bodies[0].id(), .body_b = bodies[1].id(), .length = 2 * half.length()});
+        const double before = energy(bodies);
+        for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
+        worst = std::min(worst, energy(bodies) / before);
+    }
+    std::printf("balls on rods keep %.3f of their energy\n", worst);
+    CHECK(worst > 0.9);
+}
+
 TEST_CASE("a ball bounces for a minute as high as it fell") {
     for (unsigned seed = 0; seed < seeds_or(20); ++seed) {
         Random random{std::mt19937(seed)};
