@@ -104,14 +104,10 @@ void collide_circle(const OutlinePiece& a, Vec2 center, float radius, Vec2 offse
     const Vec2 n = a.form.normals[edge], along = v2 - v1;
     const float t1 = dot(center - v1, along), t2 = dot(v2 - center, along);
     const float over = overhang(axes.outer.separation, v1) * length(along);
-    if (!hidden && t1 >= -over && t2 >= -over) {
+    const bool above = t1 >= -over && t2 >= -over;
+    const float gap = axes.outer.separation;
+    if (!hidden && (above || (in_front && gap > radius && a.is_before_hollow(edge, center)))) {
         if (!in_front) return;
-        const float gap = axes.outer.separation;
-        one_point(center - gap * n, n, gap, radius, offset, margin, feature_of(edge, 254), m);
-        return;
-    }
-    if (!hidden && in_front && axes.outer.separation > radius && a.is_before_hollow(edge, center)) {
-        const float gap = axes.outer.separation;
         one_point(center - gap * n, n, gap, radius, offset, margin, feature_of(edge, 254), m);
         return;
     }

@@ -114,12 +114,12 @@ struct Motor {
                      max((limits.upper - position) * inverse_h, 0.0f));
     }
     /// The limit at which the motor holds its bodies: 1: the upper one, -1: the lower one; 0: it is
-    /// on its way. What a motion with `slow` would reach in a sub-step counts as reached: arms of
+    /// on its way. What would be reached in a sub-step with `near_speed` counts as reached: arms of
     /// several strong motors would swing out of a narrower range again and again.
     int stopped_at(const Limits& limits, float position, float inverse_h) const {
-        constexpr float slow = 10.0f;  // m/s or rad/s
-        if (speed > 0.0f && (limits.upper - position) * inverse_h < slow) return 1;
-        if (speed < 0.0f && (position - limits.lower) * inverse_h < slow) return -1;
+        constexpr float near_speed = 10.0f;  // m/s or rad/s
+        if (speed > 0.0f && (limits.upper - position) * inverse_h < near_speed) return 1;
+        if (speed < 0.0f && (position - limits.lower) * inverse_h < near_speed) return -1;
         return 0;
     }
 };

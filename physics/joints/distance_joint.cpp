@@ -87,8 +87,7 @@ struct DistanceConstraint {
         if (!rigid && !springy) impulses.along = 0.0f;
         if (!limited) impulses.limits = {};
         if (!driven) impulses.motor = 0.0f;
-        constexpr float little = 0.01f;  // m
-        too_long = follow(a, b) > (rigid ? length : limits.upper) + little;
+        too_long = follow(a, b) > (rigid ? length : limits.upper) + obstructed_gap;
     }
 
     /// Rotates the levers and the axis with the bodies; returns the distance.

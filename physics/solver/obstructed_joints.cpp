@@ -7,9 +7,6 @@
 namespace fettle::physics::detail {
 namespace {
 
-/// A joint pulls a body against an obstacle as for a gap of this width, m: with some 140 times the
-/// weight of its body, which sinks into the obstacle by about as much.
-constexpr float obstructed_gap = 0.01f;
 /// Contacts yield by this distance to a motor that presses bodies against an obstacle, m.
 constexpr float obstructed_depth = 0.02f;
 /// Obstacles bear at least this part of the push.

@@ -13,6 +13,10 @@
 
 namespace fettle::physics::detail {
 
+/// A joint pulls a body against an obstacle as for a gap of this width, m: with some 140 times the
+/// weight of its body, which sinks into the obstacle by about as much.
+inline constexpr float obstructed_gap = 0.01f;
+
 /// True if a joint pulls one of its bodies so hard that an obstacle may be in its way.
 inline bool may_be_obstructed(Vec2 force, const SolverBody& a, const SolverBody& b, float h) {
     constexpr float speed = 2.0f;  // m/s, of one sub-step

@@ -62,7 +62,11 @@ struct Drive {
     }
 };
 
-enum HardPush : uint8_t { pull = 1, press = 2 };
+/// What the force of a joint may concern. Bits.
+enum HardPush : uint8_t {
+    pull = 1,  ///< solver/geometric_stiffness.h and solver/obstructed_joints.h
+    press = 2  ///< only the latter: a strong motor, or a rope that is too long
+};
 
 struct JointKind {
     const char* name;
@@ -80,9 +84,7 @@ struct JointKind {
     bool (*holds)(const JointRecord& joint);
     /// Whether a motor or a spring of the joint may give energy to its bodies. Null: it has none.
     bool (*gives_energy)(const JointRecord& joint);
-    /// Writes constraints from the records of the joints. Returns whether a joint pulls so hard
-    /// that solver/geometric_stiffness.h or solver/obstructed_joints.h may concern its bodies, and
-    /// whether a motor presses so hard that the latter may, as bits of `HardPush`.
+    /// Writes constraints from the records of the joints. Returns bits of `HardPush`.
     uint8_t (*prepare)(const JointSource& source, JointArray& array, const JointStep& step,
                        JointRange range);
     using Pass = void (*)(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
@@ -90,8 +92,8 @@ struct JointKind {
     Pass warm_start, solve, relax;
     JointLoad (*load)(const JointArray& array, size_t index);
     JointEnds& (*ends)(JointArray& array, size_t index);
-    /// True for a rope or a rod that is longer than it may be by more than a little. Null: the
-    /// joint has no length.
+    /// True for a rope or a rod that is longer than it may be by more than `obstructed_gap`. Null:
+    /// the joint has no length.
     bool (*is_too_long)(const JointArray& array, size_t index);
     /// Null: the type has no motor.
     Drive (*drive)(JointArray& array, size_t index);

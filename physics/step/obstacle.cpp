@@ -81,12 +81,17 @@ Impact Obstacle::on_arc(const Position& start, const Position& end, int chords) 
     return {};
 }
 
-Vec2 Obstacle::way_out(Vec2 point, float slip) const {
+PointGap gap_to_point(const Solid& shape, Vec2 point, float most) {
     Solid disc;
     disc.form = {&point, nullptr, nullptr, 1, 0.0f};
     Manifold m;
-    collide(obstacle_.shape, disc, {}, 0.0f, true, m);
-    return m.count > 0 && m.points[0].separation >= -slip ? m.normal : Vec2{};
+    collide(shape, disc, {}, most, true, m);
+    return m.count > 0 ? PointGap{m.normal, m.points[0].separation} : PointGap{};
+}
+
+Vec2 Obstacle::way_out(Vec2 point, float slip) const {
+    const PointGap gap = gap_to_point(obstacle_.shape, point, 0.0f);
+    return gap.width >= -slip ? gap.out : Vec2{};
 }
 
 Impact Obstacle::arrival(const Probe& hit, Vec2 way) const {
@@ -94,11 +99,11 @@ Impact Obstacle::arrival(const Probe& hit, Vec2 way) const {
     return {now_, inwards(hit, way) * hit.normal, from_frame(hit.normal, now_)};
 }
 
-Vec2 centroid_of(const FinishInput& in, uint32_t shape) {
-    const uint32_t body = in.objects.forms[shape].body;
-    const BodyState& state = in.columns.states[body];
+Vec2 centroid_of(const ObjectState& objects, const Columns& columns, uint32_t shape) {
+    const uint32_t body = objects.forms[shape].body;
+    const BodyState& state = columns.states[body];
     return rotate({state.cosine, state.sine},
-                  in.objects.shapes[shape].centroid - in.objects.bodies[body].local_center);
+                  objects.shapes[shape].centroid - objects.bodies[body].local_center);
 }
 Position centroid_at(const FinishInput& in, uint32_t shape, const Motion& motion, float t) {
     return motion.center(t) + rotate(rotation_of(motion.rotation(t)), centroid_of(in, shape));

@@ -71,8 +71,19 @@ class Obstacle {
     Sweep obstacle_;
 };
 
+/// Between a shape and a point; both relative to the center of mass of the shape's body.
+struct PointGap {
+    Vec2 out;            ///< from the shape to the point; zero if they are far apart
+    float width = 0.0f;  ///< m, negative in the shape
+};
+/// `most`: a point that is farther away is far apart, m.
+PointGap gap_to_point(const Solid& shape, Vec2 point, float most);
+
 /// From the center of mass of its body to the centroid of a shape, m, in world axes.
-Vec2 centroid_of(const FinishInput& in, uint32_t shape);
+Vec2 centroid_of(const ObjectState& objects, const Columns& columns, uint32_t shape);
+inline Vec2 centroid_of(const FinishInput& in, uint32_t shape) {
+    return centroid_of(in.objects, in.columns, shape);
+}
 /// The centroid of a shape whose body moves, at a time.
 Position centroid_at(const FinishInput& in, uint32_t shape, const Motion& motion, float t);
 

@@ -4,9 +4,9 @@
 // sunk in deep goes no deeper: what presses it overlaps it instead, until it touches the ground
 // itself. The same holds for a body that a joint presses into something fixed.
 
-#include <collision/collide_solids.h>
 #include <contacts/border.h>
 #include <distance/shape_core.h>
+#include <step/obstacle.h>
 #include <step/sunk_bodies.h>
 
 #include <vector>
@@ -51,9 +51,9 @@ class SunkShapes {
         const BodyRecord& record = objects_.bodies[is_a ? c.body_a : c.body_b];
         if (!(deepest(c.manifold) > noticed_share * record.thickness)) return;
         const uint32_t shape = is_a ? c.shape_a : c.shape_b;
-        const Vec2 lever = centroid_of(shape, record);
+        const Vec2 lever = centroid_of(objects_, columns_, shape);
         const float inner = inner_radius(solid_of(objects_, columns_, shape), lever);
-        const Gap gap = gap_to(is_a ? c.shape_b : c.shape_a, record.center, lever, inner);
+        const PointGap gap = gap_to(is_a ? c.shape_b : c.shape_a, record.center, lever, inner);
         // Behind the middle of a thin wall, the way out would be on the other side.
         const Vec2 normal = is_a ? -c.manifold.normal : c.manifold.normal;
         if (!(dot(gap.out, normal) > 0.0f)) return;
@@ -71,34 +71,20 @@ class SunkShapes {
     }
 
   private:
-    struct Gap {
-        Vec2 out;  ///< from what is fixed to the centroid; zero if they are far apart
-        float width = 0.0f;
-    };
-
     static float deepest(const Manifold& m) {
         float depth = 0.0f;
         for (int k = 0; k < m.count; ++k) depth = max(depth, -m.points[k].separation);
         return depth;
     }
-    Vec2 centroid_of(uint32_t shape, const BodyRecord& record) const {
-        const BodyState& state = columns_.states[objects_.forms[shape].body];
-        return rotate({state.cosine, state.sine},
-                      objects_.shapes[shape].centroid - record.local_center);
-    }
     /// Between something fixed and a centroid that is nearer to it than `most`.
-    Gap gap_to(uint32_t fixed, const Position& center, Vec2 lever, float most) const {
+    PointGap gap_to(uint32_t fixed, const Position& center, Vec2 lever, float most) const {
         const ShapeForm& form = objects_.forms[fixed];
         if (form.kind == FormKind::border) {
             const BorderPlane plane = border_plane(*settings_.bounds, fixed);
             return {plane.normal, float(dot(plane.normal, center + lever) - plane.depth)};
         }
         const Vec2 centroid = (center - objects_.bodies[form.body].center) + lever;
-        Solid point;
-        point.form = {&centroid, nullptr, nullptr, 1, 0.0f};
-        Manifold m;
-        collide(solid_of(objects_, columns_, fixed), point, {}, most, true, m);
-        return m.count > 0 ? Gap{m.normal, m.points[0].separation} : Gap{};
+        return gap_to_point(solid_of(objects_, columns_, fixed), centroid, most);
     }
 
     const ObjectState& objects_;
