@@ -220,8 +220,7 @@ struct CoordinateImpulses {
     float spring = 0.0f, motor = 0.0f;
     LimitImpulses limits;
     void scale(float s) { spring *= s, motor *= s, limits.scale(s); }
-    float of_bounds() const { return motor + limits.sum(); }
-    float sum() const { return spring + of_bounds(); }
+    float sum() const { return spring + motor + limits.sum(); }
 };
 
 struct Coordinate {
@@ -273,9 +272,11 @@ struct Coordinate {
         if (!biased && driven && !drives)
             push(push_motor(impulses.motor, mass, velocity(), 0.0f, motor.greatest));
     }
-    /// True if the rigid rows hold reactions to the limits or to the motor.
+    /// True if the rigid rows hold reactions to the limits or to the motor, and to the spring that
+    /// pushes against them.
     bool has_reactions(const CoordinateImpulses& impulses) const {
-        return drives || impulses.limits.lower > 0.0f || impulses.limits.upper > 0.0f;
+        return bounded &&
+               (springy || drives || impulses.limits.lower > 0.0f || impulses.limits.upper > 0.0f);
     }
     /// True if a pass changes impulses of the motor or of the limits.
     template <bool biased>
