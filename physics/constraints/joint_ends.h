@@ -19,6 +19,7 @@ struct JointStep {
     float h = 0.0f;  ///< sub-step, s
     float inverse_h = 0.0f;
     float impulse_ratio = 1.0f;  ///< to the last sub-step: scales warm starting
+    float contact_hertz = 0.0f;  ///< frequency of contacts under load
     Softness rigid;              ///< softness of rigid rows
     /// A wider gap is closed as fast as this one, m.
     float greatest_gap = 1e30f;

@@ -272,12 +272,13 @@ uint8_t write_constraints(const JointSource& source, JointScratch& joints, const
 
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          BodyScratch& bodies, JointScratch& joints, float h, float impulse_ratio,
-                         Solver solver, ThreadPool* threads) {
+                         float contact_hertz, Solver solver, ThreadPool* threads) {
     const JointSource source = {objects, columns, bodies};
     JointStep step;
     step.h = h;
     step.inverse_h = 1.0f / h;
     step.impulse_ratio = impulse_ratio;
+    step.contact_hertz = contact_hertz;
     use_load_settings(0, step);
     JointLists lists = {objects, active, bodies, joints, threads};
     const bool heavy = lists.make_codes();

@@ -31,9 +31,14 @@ struct JointPush {
 /// What a body of a joint pushes, from one to the next, until something that does not yield.
 class PressedBodies {
   public:
+    /// `yielding`: contacts yield to the push in proportion to it.
     PressedBodies(const JointSource& source, const JointRecord& joint, const JointPush& push,
-                  float h)
-        : source_(source), joint_(joint), push_(push), h_(h) {}
+                  const JointStep& step, bool yielding)
+        : source_(source),
+          joint_(joint),
+          push_(push),
+          step_(step),
+          turn_(yielding ? two_pi<float> * step.contact_hertz * step.h : 0.0f) {}
 
     /// Follows the push of one side of the joint through contacts and other joints.
     void follow(size_t side) {
@@ -64,10 +69,8 @@ class PressedBodies {
   private:
     /// As much of the push as makes contacts yield by `obstructed_depth`.
     float allowed() const {
-        // Contacts between two moving bodies have a quarter of the rate of sub-steps.
-        constexpr float turn = two_pi<float> * ContactStiffness::greatest_share;  // h·ω
         const float lever = impulses_ > 0.0f ? borne_ / impulses_ : 1.0f;
-        return lightest_ > 0.0f ? lever * obstructed_depth * turn * turn / (h_ * lightest_)
+        return lightest_ > 0.0f ? lever * obstructed_depth * turn_ * turn_ / (step_.h * lightest_)
                                 : infinity;
     }
     struct Pressed {
@@ -94,10 +97,22 @@ class PressedBodies {
         for (int k = 0; k < c.manifold.count; ++k) {
             const ManifoldPoint& point = c.manifold.points[k];
             const Position place = center + (is_b ? point.anchor_b : point.anchor_a);
-            against -= point.normal_impulse * dot(c.manifold.normal, push_.velocity_at(place));
-            impulse += point.normal_impulse;
+            const float of_point = max(point.normal_impulse, impulse_of_overlap(c, point));
+            against -= of_point * dot(c.manifold.normal, push_.velocity_at(place));
+            impulse += of_point;
         }
         bear(is_b ? against : -against, impulse, {objects().other_body(contact, from.body), true});
+    }
+    /// The impulse of a contact at rest that yields by the overlap of the point. While a heavy body
+    /// bounces back from a light one, the contact bears nothing in some steps, and the motor would
+    /// hit with all of its force again and again. 0 where contacts do not yield.
+    float impulse_of_overlap(const ContactRecord& c, const ManifoldPoint& point) const {
+        const BodyRecord &a = objects().bodies[c.body_a], &b = objects().bodies[c.body_b];
+        const bool fixed = !(a.inverse_mass > 0.0f && b.inverse_mass > 0.0f);
+        const float turn = (fixed ? 2.0f : 1.0f) * turn_;
+        const float mass = inverse_or_zero(a.inverse_mass + b.inverse_mass);
+        return max(-point.separation, 0.0f) * mass * turn * turn /
+               (step_.h * float(c.manifold.count));
     }
     /// Other joints pass a push on. They bear it like an obstacle only where it comes through a
     /// contact: what they bear of a lever between joints is its load.
@@ -106,8 +121,8 @@ class PressedBodies {
         if (&joint == &joint_ || !objects().may_act(joint)) return;
         const JointPlace place = place_of(source_.columns, joint);
         const Vec2 velocity = push_.velocity_at(at == 0 ? place.anchor_a : place.anchor_b);
-        const float against = -h_ * (dot(joint.force, velocity) + joint.torque * push_.turn);
-        bear(at == 1 ? against : -against, h_ * length(joint.force),
+        const float against = -step_.h * (dot(joint.force, velocity) + joint.torque * push_.turn);
+        bear(at == 1 ? against : -against, step_.h * length(joint.force),
              {joint.bodies[1 - at], from.by_contact});
     }
     /// `against`: what a contact or a joint takes of the push; `impulse`: its impulse.
@@ -128,7 +143,8 @@ class PressedBodies {
     const JointSource& source_;
     const JointRecord& joint_;
     const JointPush& push_;
-    float h_;
+    const JointStep& step_;
+    float turn_;  ///< h·ω of contacts that yield
     float sign_ = 1.0f;
     uint32_t far_ = 0;  ///< the body at the other side of the joint
     float borne_ = 0.0f, impulses_ = 0.0f;
@@ -154,11 +170,12 @@ bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, fl
 }
 
 /// A joint pulls for a small gap only if an obstacle bears the pull on one of its bodies.
-void limit_gap(const JointSource& source, const JointRecord& joint, float h, JointEnds& ends) {
+void limit_gap(const JointSource& source, const JointRecord& joint, const JointStep& step,
+               JointEnds& ends) {
     const float pull = length(joint.force);
     if (!(pull > 0.0f)) return;
-    const JointPush push = {h * pull, (1.0f / pull) * joint.force, 0.0f, {}};
-    PressedBodies pressed(source, joint, push, h);
+    const JointPush push = {step.h * pull, (1.0f / pull) * joint.force, 0.0f, {}};
+    PressedBodies pressed(source, joint, push, step, false);
     for (const size_t side : {0u, 1u}) {
         if (source.objects.bodies[joint.bodies[side]].mobility != Mobility::dynamic) continue;
         pressed.follow(side);
@@ -185,11 +202,12 @@ void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, Join
 /// A motor yields only if both of its bodies are held: a jack lifts what is not. What obstacles do
 /// not bear is a load, as that of a lift, and the motor goes on bearing it. Under `soft_step` only:
 /// the contacts of the other solvers do not yield.
-void limit_motor(const JointSource& source, const JointRecord& joint, const Drive& drive, float h) {
+void limit_motor(const JointSource& source, const JointRecord& joint, const Drive& drive,
+                 const JointStep& step) {
     const float impulse = std::abs(drive.impulse), sign = drive.impulse > 0.0f ? 1.0f : -1.0f;
     const JointPush push = {impulse, sign * drive.along, drive.turns ? sign : 0.0f,
                             place_of(source.columns, joint).anchor_b};
-    PressedBodies pressed(source, joint, push, h);
+    PressedBodies pressed(source, joint, push, step, true);
     float greatest = *drive.greatest;
     for (const size_t side : {0u, 1u}) {
         if (source.objects.bodies[joint.bodies[side]].mobility != Mobility::dynamic) continue;
@@ -211,13 +229,13 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
         const JointRecord& joint = source.objects.joints[array.joints[k]];
         JointEnds& ends = kind.ends(array, k);
         const SolverBody &a = bodies[ends.a], &b = bodies[ends.b];
-        if (may_be_obstructed(joint.force, a, b, step.h)) limit_gap(source, joint, step.h, ends);
+        if (may_be_obstructed(joint.force, a, b, step.h)) limit_gap(source, joint, step, ends);
         if (kind.is_too_long != nullptr && kind.is_too_long(array, k))
             limit_gap_of_rope(source, joint, ends);
         if (solver != Solver::soft_step || kind.drive == nullptr) return;
         const Drive drive = kind.drive(array, k);
         if (drive.greatest != nullptr && may_press(drive, a, b))
-            limit_motor(source, joint, drive, step.h);
+            limit_motor(source, joint, drive, step);
     });
 }
 

@@ -27,7 +27,7 @@ inline bool may_be_obstructed(Vec2 force, const SolverBody& a, const SolverBody&
 /// True if a motor may push so hard. What is between it and the obstacle may be much lighter than
 /// the bodies of its joint. A torque counts by the velocity at the radius of gyration.
 inline bool may_press(const Drive& drive, const SolverBody& a, const SolverBody& b) {
-    constexpr float speed = 0.2f;  // m/s, of one sub-step
+    constexpr float speed = 0.02f;  // m/s, of one sub-step
     const auto mobility = [&](const SolverBody& body) {
         return body.inverse_mass * (drive.turns ? body.inverse_inertia : body.inverse_mass);
     };

@@ -175,7 +175,7 @@ void WorldData::gather_objects(const SubSteps& sub, float dt) {
 JointStep WorldData::prepare_constraints(const SubSteps& sub, float dt) {
     const JointStep joint_step =
         prepare_joints(objects(), columns(), active(), body_scratch(), joint_scratch(), sub.h,
-                       sub.ratio, settings.solver, threads);
+                       sub.ratio, sub.stiffness.loaded_hertz(), settings.solver, threads);
     find_acting(objects(), active(), body_scratch(), joint_scratch(), settings, schedule(),
                 contact_scratch(), dt, threads);
     color_contacts(active(), body_scratch(), strips, acting_joints(), contact_scratch(), schedule(),
