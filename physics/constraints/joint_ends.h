@@ -74,6 +74,8 @@ struct JointEnds {
     /// A length or a translation that is wrong by more counts as wrong by this, m. See
     /// solver/obstructed_joints.h.
     float greatest_error = infinity;
+    /// The greatest impulse in a sub-step of a row that holds a length and yields, N s.
+    float greatest_pull = infinity;
 
     void follow(const SolverBody& body_a, const SolverBody& body_b) {
         lever_a = turned(start_a, body_a.turn);

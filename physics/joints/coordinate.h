@@ -162,14 +162,18 @@ float hold_at_limit(float& motor_impulse, LimitImpulses& impulses, const Motor& 
 }
 
 /// Solves the limits of a row, but not the one at `end`, as in `Motor::stopped_at`. `velocity()`
-/// and `push(impulse)` are the functions of the row.
+/// and `push(impulse)` are the functions of the row; `greatest`: the impulse that a limit may
+/// exert.
 template <bool biased, class Velocity, class Push>
 void solve_limits(const Limits& limits, LimitImpulses& impulses, float mass, float position,
-                  const JointStep& step, Velocity&& velocity, Push&& push, int end = 0) {
+                  const JointStep& step, Velocity&& velocity, Push&& push, int end = 0,
+                  float greatest = infinity) {
     if (limits.lower > -infinity && end >= 0)
-        push(push_limit<biased>(impulses.lower, mass, velocity(), position - limits.lower, step));
+        push(push_limit<biased>(impulses.lower, mass, velocity(), position - limits.lower, step,
+                                greatest));
     if (limits.upper < infinity && end <= 0)
-        push(-push_limit<biased>(impulses.upper, mass, -velocity(), limits.upper - position, step));
+        push(-push_limit<biased>(impulses.upper, mass, -velocity(), limits.upper - position, step,
+                                 greatest));
 }
 
 /// `greatest`: the impulse that a limit may exert.

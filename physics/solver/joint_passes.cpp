@@ -286,6 +286,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     if (heavy) lists.spread_loads();
     lists.fill();
     soften_tuned(objects, joints, h);
+    joints.obstructed.clear();
     const uint8_t hard = write_constraints(source, joints, step, threads);
     if ((hard & pull) != 0) raise_inertia(source, step, joints, bodies);
     if (hard != 0) yield_to_obstacles(source, step, joints, solver);

@@ -9,6 +9,8 @@ namespace {
 
 /// Contacts yield by this distance to a motor that presses bodies against an obstacle, m.
 constexpr float obstructed_depth = 0.02f;
+/// A body that is nearer to an obstacle than this touches it, m.
+constexpr float touching = 0.02f;
 /// Obstacles bear at least this part of the push.
 constexpr float least_borne = 0.5f;
 /// A body passes a push on to another one if it gives it at least this part.
@@ -57,14 +59,14 @@ class PressedBodies {
     }
     /// The part of the push that obstacles bear, N s or N m s.
     float borne() const { return borne_; }
+    /// True if obstacles bear most of the push that weights do not bear.
+    bool is_borne() const { return borne_ > max(least_borne * (push_.impulse - weight_), 0.0f); }
+    /// What the push needs for its load, N s or N m s. What neither obstacles nor weights bear is
+    /// another load, but it may also be on its way: rows of bodies pass a push on slowly. Half of
+    /// it counts, so that nothing sways.
+    float load() const { return weight_ + 0.5f * max(push_.impulse - weight_ - borne_, 0.0f); }
     /// The greatest push of a motor in the next step.
-    float greatest_push() const {
-        const float now = push_.impulse, driving = now - weight_;
-        if (!(borne_ > max(least_borne * driving, 0.0f))) return infinity;
-        // What neither obstacles nor weights bear is another load, but it may also be on its way:
-        // rows of bodies pass a push on slowly. Half of it counts, so that nothing sways.
-        return max(allowed() + weight_ + 0.5f * max(driving - borne_, 0.0f), 0.0f);
-    }
+    float greatest_push() const { return is_borne() ? max(allowed() + load(), 0.0f) : infinity; }
 
   private:
     /// As much of the push as makes contacts yield by `obstructed_depth`.
@@ -153,20 +155,53 @@ class PressedBodies {
     std::vector<Pressed> bodies_;
 };
 
-/// True if a body that is pushed overlaps an obstacle by more than `overlap`, and the way out is
-/// against the push. The impulse of that contact may be missing, since a body that was thrown keeps
-/// none. `velocity`: of the push.
-bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap) {
-    constexpr float against = -0.7f;  // cosine
-    return objects.any_contact(objects.bodies[body].lists.first_contact, none, [&](uint32_t slot) {
+/// How directly a body is pushed into an obstacle that it overlaps by more than `overlap`, or is
+/// nearer to than minus that: the cosine, 0 if there is none. The impulse of that contact may be
+/// missing, since a body that was thrown keeps none. `velocity`: of the push.
+float push_into_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap) {
+    float most = 0.0f;
+    objects.for_each_contact(body, [&](uint32_t slot) {
         const ContactRecord& c = objects.contacts[slot];
         const Mobility other = objects.bodies[objects.other_body(slot, body)].mobility;
-        if (!c.acts() || other == Mobility::dynamic) return false;
+        if (!c.acts() || other == Mobility::dynamic) return;
         const Vec2 out = c.body_b == body ? c.manifold.normal : -c.manifold.normal;
-        return dot(out, velocity) < against &&
-               std::any_of(c.manifold.points, c.manifold.points + c.manifold.count,
-                           [=](const ManifoldPoint& p) { return p.separation < -overlap; });
+        if (std::any_of(c.manifold.points, c.manifold.points + c.manifold.count,
+                        [=](const ManifoldPoint& p) { return p.separation < -overlap; }))
+            most = max(most, -dot(out, velocity));
     });
+    return most;
+}
+bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap) {
+    return push_into_obstacle(objects, body, velocity, overlap) > 0.7f;
+}
+
+/// A rope, a rod or a pulley whose bodies are both held, by obstacles or because one is fixed,
+/// pulls with no more than its load and some weights. If it pulled like a spring over the gap, its
+/// force would do work on what it draws along an obstacle, and throw what slips round it. Under
+/// `soft_step` only.
+void limit_pull(const JointSource& source, const JointRecord& joint, const JointStep& step,
+                JointEnds& ends, std::vector<uint32_t>& obstructed) {
+    constexpr float acceleration = 100.0f;  // m/s², ten weights
+    const float force = length(joint.force);
+    const Vec2 along = force > 0.0f ? (1.0f / force) * joint.force
+                                    : -normalized(place_of(source.columns, joint).gap());
+    const JointPush push = {step.h * force, along, 0.0f, {}};
+    PressedBodies pressed(source, joint, push, step, false);
+    float greatest = infinity, inverse_mass = 0.0f;
+    for (const size_t side : {0u, 1u}) {
+        const BodyRecord& body = source.objects.bodies[joint.bodies[side]];
+        if (body.mobility != Mobility::dynamic) continue;
+        pressed.follow(side);
+        const bool held =
+            pressed.is_borne() || is_in_obstacle(source.objects, joint.bodies[side],
+                                                 side == 0 ? -push.along : push.along, -touching);
+        if (!held) return;
+        inverse_mass += body.inverse_mass;
+        greatest = min(greatest, pressed.load());
+    }
+    for (const uint32_t body : joint.bodies)
+        if (source.objects.bodies[body].mobility == Mobility::dynamic) obstructed.push_back(body);
+    ends.greatest_pull = greatest + acceleration * step.h * inverse_or_zero(inverse_mass);
 }
 
 /// A joint pulls for a small gap only if an obstacle bears the pull on one of its bodies.
@@ -187,15 +222,18 @@ void limit_gap(const JointSource& source, const JointRecord& joint, const JointS
 }
 
 /// A rope that is too long pulls a body along an obstacle in jerks: in the last sub-step there may
-/// have been no force, and the next one would pull for the whole gap. So touching is enough.
+/// have been no force, and the next one would pull for the whole gap. So touching is enough. The
+/// more the rope pulls along the obstacle, the faster the gap may close.
 void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, JointEnds& ends) {
-    constexpr float touching = -0.001f;                                    // m of overlap
+    constexpr float least_into = 0.05f;                                    // a cosine
     const Vec2 along = normalized(place_of(source.columns, joint).gap());  // from a to b
     for (const size_t side : {0u, 1u}) {
         const uint32_t body = joint.bodies[side];
         if (source.objects.bodies[body].mobility != Mobility::dynamic) continue;
-        if (is_in_obstacle(source.objects, body, side == 0 ? along : -along, touching))
-            ends.greatest_error = obstructed_gap;
+        const float into =
+            push_into_obstacle(source.objects, body, side == 0 ? along : -along, -touching);
+        if (into > least_into)
+            ends.greatest_error = min(ends.greatest_error, obstructed_gap / into);
     }
 }
 
@@ -232,6 +270,9 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
         if (may_be_obstructed(joint.force, a, b, step.h)) limit_gap(source, joint, step, ends);
         if (kind.is_too_long != nullptr && kind.is_too_long(array, k))
             limit_gap_of_rope(source, joint, ends);
+        if (solver == Solver::soft_step && kind.is_too_long != nullptr &&
+            ends.greatest_error < infinity)
+            limit_pull(source, joint, step, ends, joints.obstructed);
         if (solver != Solver::soft_step || kind.drive == nullptr) return;
         const Drive drive = kind.drive(array, k);
         if (drive.greatest != nullptr && may_press(drive, a, b))

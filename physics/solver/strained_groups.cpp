@@ -145,6 +145,10 @@ void limit_strained(const SolverInput& input, const Columns& columns,
         return input.objects.bodies[body].lists.first_joint != none;
     };
     std::optional<StrainedGroups> groups;
+    for (const uint32_t body : input.joints.obstructed) {
+        if (!groups) groups.emplace(input, columns, h);
+        groups->limit(body);
+    }
     for (const uint32_t contact : pressed) {
         const ContactRecord& c = input.objects.contacts[contact];
         if (!jointed(c.body_a) && !jointed(c.body_b)) continue;

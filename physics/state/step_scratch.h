@@ -112,6 +112,7 @@ struct JointScratch {
     std::array<size_t, classes> acting_in_class = {};  ///< how many joints each class has
     std::vector<uint8_t> joint_codes;                  ///< of the awake joints, type by type
     std::vector<Strain> strains;
+    std::vector<uint32_t> obstructed;  ///< bodies between an obstacle and a joint that yields to it
 
     static JointType type_of(size_t array) { return JointType(array % joint_type_count); }
     size_t acting_joints() const {
@@ -121,7 +122,7 @@ struct JointScratch {
     }
 
     FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.acting_in_class, s.joint_codes,
-                   s.strains)
+                   s.strains, s.obstructed)
 };
 
 /// Acting contacts that are computed one at a time.

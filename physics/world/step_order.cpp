@@ -201,8 +201,8 @@ void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_st
     if (groups) {
         jammed = find_jammed(input, columns(), pressed);
         if (crowded_shapes > 0) limit_pushes(input, columns());
-        limit_strained(input, columns(), pressed, sub.h);
     }
+    limit_strained(input, columns(), groups ? std::span(pressed) : std::span<uint32_t>(), sub.h);
     pressed.resize(jammed);
     hold_sunk(objects(), columns(), settings, contact_scratch(), body_scratch());
     end_sums(input, columns());
