@@ -1,5 +1,6 @@
 #include <solver/obstructed_joints.h>
 #include <state/joint_kind.h>
+#include <state/limits.h>
 
 #include <algorithm>
 #include <vector>
@@ -140,12 +141,16 @@ class PressedBodies {
 /// True if a body that is pushed overlaps an obstacle by more than `overlap`, and the way out is
 /// against the push. The impulse of that contact may be missing, since a body that was thrown keeps
 /// none. `velocity`: of the push.
-bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap) {
+/// `is_meant(obstacle)` says which obstacles count.
+template <typename IsMeant>
+bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap,
+                    IsMeant&& is_meant) {
     constexpr float against = -0.7f;  // cosine
     return objects.any_contact(objects.bodies[body].lists.first_contact, none, [&](uint32_t slot) {
         const ContactRecord& c = objects.contacts[slot];
-        const Mobility other = objects.bodies[objects.other_body(slot, body)].mobility;
-        if (!c.acts() || other == Mobility::dynamic) return false;
+        const uint32_t other = objects.other_body(slot, body);
+        if (!c.acts() || objects.bodies[other].mobility == Mobility::dynamic) return false;
+        if (!is_meant(other)) return false;
         const Vec2 out = c.body_b == body ? c.manifold.normal : -c.manifold.normal;
         return dot(out, velocity) < against &&
                std::any_of(c.manifold.points, c.manifold.points + c.manifold.count,
@@ -164,20 +169,31 @@ void limit_gap(const JointSource& source, const JointRecord& joint, float h, Joi
         pressed.follow(side);
         if (pressed.borne() > least_borne * push.impulse ||
             is_in_obstacle(source.objects, joint.bodies[side], side == 0 ? -push.along : push.along,
-                           obstructed_gap))
+                           obstructed_gap, [](uint32_t) { return true; }))
             ends.greatest_error = obstructed_gap;
     }
 }
 
+/// True for a kinematic body that is not at rest.
+bool moves_by_itself(const JointSource& source, uint32_t body) {
+    const BodyState& state = source.columns.states[body];
+    return source.objects.bodies[body].mobility == Mobility::kinematic &&
+           (!(state.velocity == Vec2{}) || state.angular_velocity != 0.0f);
+}
+
 /// A rope that is too long pulls a body along an obstacle in jerks: in the last sub-step there may
 /// have been no force, and the next one would pull for the whole gap. So touching is enough.
-void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, JointEnds& ends) {
-    constexpr float touching = -0.001f;                                    // m of overlap
-    const Vec2 along = normalized(place_of(source.columns, joint).gap());  // from a to b
+/// Of one that is not too long yet, the obstacle or what it is tied to must move by itself.
+void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, const Pull& pull,
+                       JointEnds& ends) {
+    constexpr float near = -speculative_margin;  // m of overlap
     for (const size_t side : {0u, 1u}) {
         const uint32_t body = joint.bodies[side];
         if (source.objects.bodies[body].mobility != Mobility::dynamic) continue;
-        if (is_in_obstacle(source.objects, body, side == 0 ? along : -along, touching))
+        const bool any = pull.too_long || moves_by_itself(source, joint.bodies[1 - side]);
+        if (is_in_obstacle(source.objects, body, pull.towards[side], near, [&](uint32_t obstacle) {
+                return any || moves_by_itself(source, obstacle);
+            }))
             ends.greatest_error = obstructed_gap;
     }
 }
@@ -207,13 +223,16 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
                         Solver solver) {
     if (source.objects.contact_slots.count == 0) return;
     const std::vector<SolverBody>& bodies = source.bodies.solver_bodies;
+    const bool by_movers = may_have_no_solution(source.bodies, solver);
     for_each_acting_joint(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
         const JointRecord& joint = source.objects.joints[array.joints[k]];
         JointEnds& ends = kind.ends(array, k);
         const SolverBody &a = bodies[ends.a], &b = bodies[ends.b];
         if (may_be_obstructed(joint.force, a, b, step.h)) limit_gap(source, joint, step.h, ends);
-        if (kind.is_too_long != nullptr && kind.is_too_long(array, k))
-            limit_gap_of_rope(source, joint, ends);
+        if (kind.pull != nullptr) {
+            const Pull pull = kind.pull(array, k);
+            if (pull.too_long || by_movers) limit_gap_of_rope(source, joint, pull, ends);
+        }
         if (solver != Solver::soft_step || kind.drive == nullptr) return;
         const Drive drive = kind.drive(array, k);
         if (drive.greatest != nullptr && may_press(drive, a, b))
