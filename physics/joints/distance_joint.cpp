@@ -152,6 +152,7 @@ struct DistanceConstraint {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return driven && motor.moves_bodies(line.velocity(a, b));
     }
+    Pull pull_now() const { return {too_long, {line.direction, -line.direction}}; }
     Drive drive() {
         if (!driven) return {};
         return {&motor.greatest, impulses.motor, line.direction, false};

@@ -289,7 +289,8 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     joints.obstructed.clear();
     const uint8_t hard = write_constraints(source, joints, step, threads);
     if ((hard & pull) != 0) raise_inertia(source, step, joints, bodies);
-    if (hard != 0) yield_to_obstacles(source, step, joints, solver);
+    if (hard != 0 || may_have_no_solution(bodies, solver))
+        yield_to_obstacles(source, step, joints, solver);
     return step;
 }
 

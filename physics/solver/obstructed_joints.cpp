@@ -1,5 +1,6 @@
 #include <solver/obstructed_joints.h>
 #include <state/joint_kind.h>
+#include <state/limits.h>
 
 #include <algorithm>
 #include <vector>
@@ -9,8 +10,8 @@ namespace {
 
 /// Contacts yield by this distance to a motor that presses bodies against an obstacle, m.
 constexpr float obstructed_depth = 0.02f;
-/// A body that is nearer to an obstacle than this touches it, m.
-constexpr float touching = 0.02f;
+/// A push goes into an obstacle if the cosine to its normal is greater than this.
+constexpr float steep = 0.7f;
 /// Obstacles bear at least this part of the push.
 constexpr float least_borne = 0.5f;
 /// A body passes a push on to another one if it gives it at least this part.
@@ -157,13 +158,17 @@ class PressedBodies {
 
 /// How directly a body is pushed into an obstacle that it overlaps by more than `overlap`, or is
 /// nearer to than minus that: the cosine, 0 if there is none. The impulse of that contact may be
-/// missing, since a body that was thrown keeps none. `velocity`: of the push.
-float push_into_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap) {
+/// missing, since a body that was thrown keeps none. `velocity`: of the push. `is_meant(obstacle)`
+/// says which obstacles count.
+template <typename IsMeant>
+float push_into_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap,
+                         IsMeant&& is_meant) {
     float most = 0.0f;
     objects.for_each_contact(body, [&](uint32_t slot) {
         const ContactRecord& c = objects.contacts[slot];
-        const Mobility other = objects.bodies[objects.other_body(slot, body)].mobility;
-        if (!c.acts() || other == Mobility::dynamic) return;
+        const uint32_t other = objects.other_body(slot, body);
+        if (!c.acts() || objects.bodies[other].mobility == Mobility::dynamic || !is_meant(other))
+            return;
         const Vec2 out = c.body_b == body ? c.manifold.normal : -c.manifold.normal;
         if (std::any_of(c.manifold.points, c.manifold.points + c.manifold.count,
                         [=](const ManifoldPoint& p) { return p.separation < -overlap; }))
@@ -172,36 +177,36 @@ float push_into_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocit
     return most;
 }
 bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap) {
-    return push_into_obstacle(objects, body, velocity, overlap) > 0.7f;
+    return push_into_obstacle(objects, body, velocity, overlap, [](uint32_t) { return true; }) >
+           steep;
 }
 
 /// A rope, a rod or a pulley whose bodies are both held, by obstacles or because one is fixed,
 /// pulls with no more than its load and some weights. If it pulled like a spring over the gap, its
 /// force would do work on what it draws along an obstacle, and throw what slips round it. Under
 /// `soft_step` only.
-void limit_pull(const JointSource& source, const JointRecord& joint, const JointStep& step,
-                JointEnds& ends, std::vector<uint32_t>& obstructed) {
+void limit_pull(const JointSource& source, const JointRecord& joint, const Pull& pull,
+                const JointStep& step, JointEnds& ends, std::vector<uint32_t>& obstructed) {
     constexpr float acceleration = 100.0f;  // m/s², ten weights
-    const float force = length(joint.force);
-    const Vec2 along = force > 0.0f ? (1.0f / force) * joint.force
-                                    : -normalized(place_of(source.columns, joint).gap());
-    const JointPush push = {step.h * force, along, 0.0f, {}};
-    PressedBodies pressed(source, joint, push, step, false);
-    float greatest = infinity, inverse_mass = 0.0f;
+    float load = infinity, inverse_mass = 0.0f;
     for (const size_t side : {0u, 1u}) {
-        const BodyRecord& body = source.objects.bodies[joint.bodies[side]];
+        const uint32_t slot = joint.bodies[side];
+        const BodyRecord& body = source.objects.bodies[slot];
         if (body.mobility != Mobility::dynamic) continue;
+        const Vec2 towards = pull.towards[side];
+        const JointPush push = {
+            step.h * length(joint.force), side == 0 ? -towards : towards, 0.0f, {}};
+        PressedBodies pressed(source, joint, push, step, false);
         pressed.follow(side);
-        const bool held =
-            pressed.is_borne() || is_in_obstacle(source.objects, joint.bodies[side],
-                                                 side == 0 ? -push.along : push.along, -touching);
-        if (!held) return;
+        if (!pressed.is_borne() &&
+            !is_in_obstacle(source.objects, slot, towards, -speculative_margin))
+            return;
         inverse_mass += body.inverse_mass;
-        greatest = min(greatest, pressed.load());
+        load = min(load, pressed.load());
     }
-    for (const uint32_t body : joint.bodies)
-        if (source.objects.bodies[body].mobility == Mobility::dynamic) obstructed.push_back(body);
-    ends.greatest_pull = greatest + acceleration * step.h * inverse_or_zero(inverse_mass);
+    for (const uint32_t slot : joint.bodies)
+        if (source.objects.bodies[slot].mobility == Mobility::dynamic) obstructed.push_back(slot);
+    ends.greatest_pull = load + acceleration * step.h * inverse_or_zero(inverse_mass);
 }
 
 /// A joint pulls for a small gap only if an obstacle bears the pull on one of its bodies.
@@ -221,19 +226,31 @@ void limit_gap(const JointSource& source, const JointRecord& joint, const JointS
     }
 }
 
+/// True for a kinematic body that is not at rest.
+bool moves_by_itself(const JointSource& source, uint32_t body) {
+    const BodyState& state = source.columns.states[body];
+    return source.objects.bodies[body].mobility == Mobility::kinematic &&
+           (!(state.velocity == Vec2{}) || state.angular_velocity != 0.0f);
+}
+
 /// A rope that is too long pulls a body along an obstacle in jerks: in the last sub-step there may
-/// have been no force, and the next one would pull for the whole gap. So touching is enough. The
-/// more the rope pulls along the obstacle, the faster the gap may close.
-void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, JointEnds& ends) {
-    constexpr float least_into = 0.05f;                                    // a cosine
-    const Vec2 along = normalized(place_of(source.columns, joint).gap());  // from a to b
+/// have been no force, and the next one would pull for the whole gap. So being near is enough. Of
+/// one that is not too long yet, the obstacle or what it is tied to must move by itself. The more
+/// the rope pulls along the obstacle, the faster the gap may close: contacts of `direct` hold a
+/// pull that is not steep.
+void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, const Pull& pull,
+                       Solver solver, JointEnds& ends) {
+    const float least_into = solver == Solver::direct ? steep : 0.05f;  // a cosine
     for (const size_t side : {0u, 1u}) {
         const uint32_t body = joint.bodies[side];
         if (source.objects.bodies[body].mobility != Mobility::dynamic) continue;
-        const float into =
-            push_into_obstacle(source.objects, body, side == 0 ? along : -along, -touching);
-        if (into > least_into)
-            ends.greatest_error = min(ends.greatest_error, obstructed_gap / into);
+        const bool any = pull.too_long || moves_by_itself(source, joint.bodies[1 - side]);
+        const float into = push_into_obstacle(
+            source.objects, body, pull.towards[side], -speculative_margin,
+            [&](uint32_t obstacle) { return any || moves_by_itself(source, obstacle); });
+        if (!(into > least_into)) continue;
+        const float gap = solver == Solver::direct ? obstructed_gap : obstructed_gap / into;
+        ends.greatest_error = min(ends.greatest_error, gap);
     }
 }
 
@@ -263,16 +280,18 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
                         Solver solver) {
     if (source.objects.contact_slots.count == 0) return;
     const std::vector<SolverBody>& bodies = source.bodies.solver_bodies;
+    const bool by_movers = may_have_no_solution(source.bodies, solver);
     for_each_acting_joint(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
         const JointRecord& joint = source.objects.joints[array.joints[k]];
         JointEnds& ends = kind.ends(array, k);
         const SolverBody &a = bodies[ends.a], &b = bodies[ends.b];
         if (may_be_obstructed(joint.force, a, b, step.h)) limit_gap(source, joint, step, ends);
-        if (kind.is_too_long != nullptr && kind.is_too_long(array, k))
-            limit_gap_of_rope(source, joint, ends);
-        if (solver == Solver::soft_step && kind.is_too_long != nullptr &&
-            ends.greatest_error < infinity)
-            limit_pull(source, joint, step, ends, joints.obstructed);
+        if (kind.pull != nullptr) {
+            const Pull pull = kind.pull(array, k);
+            if (pull.too_long || by_movers) limit_gap_of_rope(source, joint, pull, solver, ends);
+            if (solver == Solver::soft_step && ends.greatest_error < infinity)
+                limit_pull(source, joint, pull, step, ends, joints.obstructed);
+        }
         if (solver != Solver::soft_step || kind.drive == nullptr) return;
         const Drive drive = kind.drive(array, k);
         if (drive.greatest != nullptr && may_press(drive, a, b))

@@ -34,6 +34,13 @@ inline bool may_press(const Drive& drive, const SolverBody& a, const SolverBody&
     return drive.impulse * drive.impulse * max(mobility(a), mobility(b)) > speed * speed;
 }
 
+/// Between a rope and an obstacle that moves, or that the rope is drawn to, there may be no
+/// solution from the first step on: a ball on a lift would have to be beside its rope's hook at
+/// once. Under `direct`, whose rows yield to nothing, that took forces without bound.
+inline bool may_have_no_solution(const BodyScratch& bodies, Solver solver) {
+    return solver == Solver::direct && bodies.driven;
+}
+
 /// Limits the gaps for which joints pull and the impulses of motors, if contacts with what is fixed
 /// or kinematic bear most of them. The ends of the joints must be prepared.
 void yield_to_obstacles(const JointSource& source, const JointStep& step, JointScratch& joints,
