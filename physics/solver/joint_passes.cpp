@@ -286,11 +286,11 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     if (heavy) lists.spread_loads();
     lists.fill();
     soften_tuned(objects, joints, h);
-    joints.obstructed.clear();
+    bodies.strained.clear();
     const uint8_t hard = write_constraints(source, joints, step, threads);
     if ((hard & pull) != 0) raise_inertia(source, step, joints, bodies);
     if (hard != 0 || may_have_no_solution(bodies, solver))
-        yield_to_obstacles(source, step, joints, solver);
+        yield_to_obstacles(source, step, joints, solver, bodies.strained);
     return step;
 }
 

@@ -186,7 +186,7 @@ bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, fl
 /// force would do work on what it draws along an obstacle, and throw what slips round it. Under
 /// `soft_step` only.
 void limit_pull(const JointSource& source, const JointRecord& joint, const Pull& pull,
-                const JointStep& step, JointEnds& ends, std::vector<uint32_t>& obstructed) {
+                const JointStep& step, JointEnds& ends, std::vector<uint32_t>& strained) {
     constexpr float acceleration = 100.0f;  // m/s², ten weights
     float load = infinity, inverse_mass = 0.0f;
     for (const size_t side : {0u, 1u}) {
@@ -205,7 +205,7 @@ void limit_pull(const JointSource& source, const JointRecord& joint, const Pull&
         load = min(load, pressed.load());
     }
     for (const uint32_t slot : joint.bodies)
-        if (source.objects.bodies[slot].mobility == Mobility::dynamic) obstructed.push_back(slot);
+        if (source.objects.bodies[slot].mobility == Mobility::dynamic) strained.push_back(slot);
     ends.greatest_pull = load + acceleration * step.h * inverse_or_zero(inverse_mass);
 }
 
@@ -277,7 +277,7 @@ void limit_motor(const JointSource& source, const JointRecord& joint, const Driv
 }  // namespace
 
 void yield_to_obstacles(const JointSource& source, const JointStep& step, JointScratch& joints,
-                        Solver solver) {
+                        Solver solver, std::vector<uint32_t>& strained) {
     if (source.objects.contact_slots.count == 0) return;
     const std::vector<SolverBody>& bodies = source.bodies.solver_bodies;
     const bool by_movers = may_have_no_solution(source.bodies, solver);
@@ -290,7 +290,7 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
             const Pull pull = kind.pull(array, k);
             if (pull.too_long || by_movers) limit_gap_of_rope(source, joint, pull, solver, ends);
             if (solver == Solver::soft_step && ends.greatest_error < infinity)
-                limit_pull(source, joint, pull, step, ends, joints.obstructed);
+                limit_pull(source, joint, pull, step, ends, strained);
         }
         if (solver != Solver::soft_step || kind.drive == nullptr) return;
         const Drive drive = kind.drive(array, k);

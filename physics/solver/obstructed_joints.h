@@ -43,7 +43,8 @@ inline bool may_have_no_solution(const BodyScratch& bodies, Solver solver) {
 
 /// Limits the gaps for which joints pull and the impulses of motors, if contacts with what is fixed
 /// or kinematic bear most of them. The ends of the joints must be prepared.
+/// Appends the bodies that are held between a joint and an obstacle to `strained`.
 void yield_to_obstacles(const JointSource& source, const JointStep& step, JointScratch& joints,
-                        Solver solver);
+                        Solver solver, std::vector<uint32_t>& strained);
 
 }  // namespace fettle::physics::detail

@@ -64,6 +64,8 @@ struct BodyScratch {
     std::vector<uint32_t> maybe_crowded;  ///< slots of bodies that many joints may crowd
     /// Slots of bodies whose speed was limited: their stored impulses are too large.
     std::vector<uint32_t> limited;
+    /// Slots of bodies in whose group this step may create no energy: solver/strained_groups.cpp.
+    std::vector<uint32_t> strained;
     std::vector<uint8_t> bounced;            ///< by body: the last pass of impacts that changed it
     std::vector<FirstImpact> first_impacts;  ///< by body
     Attractions attractions;                 ///< of the bodies that attractors pull
@@ -71,8 +73,8 @@ struct BodyScratch {
     bool driven = false;                     ///< some awake body is kinematic
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
-                   s.locked, s.maybe_crowded, s.limited, s.bounced, s.first_impacts, s.attractions,
-                   s.axes_locked, s.driven)
+                   s.locked, s.maybe_crowded, s.limited, s.strained, s.bounced, s.first_impacts,
+                   s.attractions, s.axes_locked, s.driven)
 };
 
 /// The acting joints of one type in a step, in the order of their nodes.
@@ -112,7 +114,6 @@ struct JointScratch {
     std::array<size_t, classes> acting_in_class = {};  ///< how many joints each class has
     std::vector<uint8_t> joint_codes;                  ///< of the awake joints, type by type
     std::vector<Strain> strains;
-    std::vector<uint32_t> obstructed;  ///< bodies between an obstacle and a joint that yields to it
 
     static JointType type_of(size_t array) { return JointType(array % joint_type_count); }
     size_t acting_joints() const {
@@ -122,7 +123,7 @@ struct JointScratch {
     }
 
     FETTLE_SCRATCH(JointScratch, s.joint_share, s.joint_arrays, s.acting_in_class, s.joint_codes,
-                   s.strains, s.obstructed)
+                   s.strains)
 };
 
 /// Acting contacts that are computed one at a time.
