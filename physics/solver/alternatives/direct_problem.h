@@ -24,6 +24,8 @@ class DirectProblem {
     /// the rows.
     bool solve(std::span<DirectRow> all, std::span<const MassScale> scales,
                std::span<SolverBody> solver_bodies, bool applied, float push_speed);
+    std::span<const uint32_t> bodies() const { return bodies_; }
+    std::span<const uint32_t> rows() const { return rows_; }
 
   private:
     enum class State : int8_t { low = -1, free = 0, high = 1 };
