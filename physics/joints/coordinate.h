@@ -279,8 +279,7 @@ struct Coordinate {
     /// True if the rigid rows hold reactions to the limits or to the motor, and to the spring that
     /// pushes against them.
     bool has_reactions(const CoordinateImpulses& impulses) const {
-        return bounded &&
-               (springy || drives || impulses.limits.lower > 0.0f || impulses.limits.upper > 0.0f);
+        return bounded && (drives || impulses.limits.lower > 0.0f || impulses.limits.upper > 0.0f);
     }
     /// True if a pass changes impulses of the motor or of the limits.
     template <bool biased>

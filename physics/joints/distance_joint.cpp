@@ -154,7 +154,7 @@ struct DistanceConstraint {
     }
     Pull pull_now() const { return {too_long, {line.direction, -line.direction}}; }
     Drive drive() {
-        if (!driven) return {};
+        if (!driven || motor.speed == 0.0f) return {};
         return {&motor.greatest, impulses.motor, line.direction, false};
     }
 

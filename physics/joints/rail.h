@@ -148,7 +148,7 @@ struct Rail {
         return coordinate.moves_bodies(along.velocity(a, b));
     }
     Drive drive(const RailImpulses& impulses) {
-        if (!coordinate.driven) return {};
+        if (!coordinate.drives) return {};
         return {&coordinate.motor.greatest, impulses.along.motor, along.direction, false};
     }
     Vec2 force(const RailImpulses& impulses) const {

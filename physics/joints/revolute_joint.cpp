@@ -99,7 +99,7 @@ struct RevoluteConstraint {
         return pressed || angle.moves_bodies(b.angular_velocity - a.angular_velocity);
     }
     Drive drive() {
-        if (!angle.driven) return {};
+        if (!angle.drives) return {};
         return {&angle.motor.greatest, impulses.angle.motor, {}, true};
     }
 

@@ -74,7 +74,7 @@ struct WheelConstraint {
         return driven && motor.moves_bodies(b.angular_velocity - a.angular_velocity);
     }
     Drive drive() {
-        if (!driven) return {};
+        if (!driven || motor.speed == 0.0f) return {};
         return {&motor.greatest, impulses.motor, {}, true};
     }
 };

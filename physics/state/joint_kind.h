@@ -48,7 +48,8 @@ inline JointPlace place_of(const Columns& columns, const JointRecord& joint) {
     return {anchor(0), anchor(1), {a.cosine, a.sine}, joint.anchors[0]};
 }
 
-/// The motor of a joint in a step, or its pull towards a place.
+/// The motor of a joint in a step, or its pull towards a place. A motor without a speed is
+/// friction, which presses nothing: it is left out.
 struct Drive {
     float* greatest = nullptr;  ///< greatest impulse in a sub-step, N s or N m s; null: none
     float impulse = 0.0f;       ///< of the last sub-step; positive pushes body b as below
