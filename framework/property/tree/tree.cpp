@@ -7,9 +7,9 @@
 #include <fettle/property/pinned.h>
 #include <fettle/property/spelling.h>
 
+#include <classes/drawn_methods.h>
 #include <values/weight.h>
 
-#include "drawn_methods.h"
 #include "state.h"
 
 namespace fettle::property {

@@ -6,15 +6,16 @@
 
 #include <calls/error_place.h>
 #include <calls/errors.h>
-#include <lua/budget.h>
-#include <lua/call_form.h>
+#include <limits/budget.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
+#include <lua/library_chunks.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
+#include <other_languages/other_languages.h>
+#include <sources/call_form.h>
+#include <sources/sources.h>
 #include <text/columns.h>
-#include <text/other_languages.h>
 #include <text/words.h>
 #include <values/short_text.h>
 #include <values/values.h>

@@ -6,15 +6,15 @@
 #include <calls/error_place.h>
 #include <calls/errors.h>
 #include <calls/protected.h>
-#include <lua/budget.h>
+#include <limits/budget.h>
+#include <limits/watchdog.h>
 #include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/numeric_locale.h>
 #include <lua/runtime_lifetime.h>
-#include <lua/sources.h>
-#include <lua/watchdog.h>
+#include <sources/sources.h>
 #include <values/moved_lists.h>
 #include <values/recording.h>
 

@@ -12,11 +12,11 @@
 
 #include <calls/protected.h>
 #include <classes/script_classes.h>
+#include <limits/watchdog.h>
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <lua/watchdog.h>
 #include <text/words.h>
 #include <values/values.h>
 

@@ -2,7 +2,7 @@
 
 #include <classes/reflection.h>
 #include <classes/script_classes.h>
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <reference/reference_facts.h>

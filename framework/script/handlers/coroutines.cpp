@@ -3,7 +3,7 @@
 #include <calls/errors.h>
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>

@@ -10,18 +10,18 @@
 #include <handlers/formulas.h>
 #include <handlers/function_source.h>
 #include <handlers/observed.h>
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
+#include <sources/sources.h>
 #include <text/selected_name.h>
 #include <text/words.h>
 #include <values/recording.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

@@ -11,6 +11,7 @@
 #include <handlers/connections.h>
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
+#include <limits/watchdog.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/host.h>
@@ -18,7 +19,6 @@
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
 #include <lua/stack.h>
-#include <lua/watchdog.h>
 #include <values/short_text.h>
 #include <values/values.h>
 

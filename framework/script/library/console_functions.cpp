@@ -23,11 +23,11 @@
 #include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
 #include <reference/language.h>
 #include <sandbox/sandbox.h>
+#include <sources/sources.h>
 #include <text/words.h>
 #include <values/short_text.h>
 #include <values/values.h>

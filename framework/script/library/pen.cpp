@@ -26,7 +26,7 @@
 
 #include <library/pen.h>
 #include <library/pen_arguments.h>
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

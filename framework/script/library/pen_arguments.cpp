@@ -5,7 +5,7 @@
 #include <string>
 
 #include <library/pen.h>
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/short_text.h>

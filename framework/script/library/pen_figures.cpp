@@ -19,7 +19,7 @@
 #include <fettle/property/thick_line.h>
 
 #include <library/pen_arguments.h>
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

@@ -21,7 +21,7 @@
 #include <lua/stack.h>
 #include <text/words.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

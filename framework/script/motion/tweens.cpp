@@ -9,7 +9,7 @@
 #include <motion/ease.h>
 #include <motion/interpolation.h>
 #include <motion/tweens.h>
-#include <values/degree_notes.h>
+#include <writes/degree_notes.h>
 
 namespace fettle::script {
 

@@ -5,17 +5,17 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/script_classes.h>
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/generic_methods.h>
 #include <objects/instance_set.h>
 #include <text/words.h>
-#include <values/declarations.h>
 #include <values/short_text.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/declarations.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

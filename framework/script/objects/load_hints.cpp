@@ -15,11 +15,11 @@
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
+#include <other_languages/synonyms.h>
 #include <reference/language.h>
-#include <text/synonyms.h>
+#include <sources/sources.h>
 #include <text/words.h>
 #include <values/values.h>
 

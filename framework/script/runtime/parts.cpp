@@ -16,7 +16,7 @@
 #include <library/pen.h>
 #include <library/scene_changes.h>
 #include <library/time_functions.h>
-#include <lua/arena.h>
+#include <limits/arena.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>

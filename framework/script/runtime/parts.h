@@ -11,25 +11,25 @@
 #include <handlers/timers.h>
 #include <library/pen.h>
 #include <library/time_functions.h>
-#include <lua/arena.h>
-#include <lua/budget.h>
+#include <limits/arena.h>
+#include <limits/budget.h>
+#include <limits/watchdog.h>
 #include <lua/environment.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
-#include <lua/sources.h>
-#include <lua/watchdog.h>
 #include <motion/tweens.h>
 #include <objects/hints.h>
 #include <runtime/runtime_part.h>
 #include <sandbox/random.h>
-#include <values/declarations.h>
+#include <sources/sources.h>
 #include <values/members.h>
 #include <values/moved_lists.h>
 #include <values/recording.h>
-#include <values/replaced_formulas.h>
 #include <values/values.h>
+#include <writes/declarations.h>
+#include <writes/replaced_formulas.h>
 
 namespace fettle::script {
 

@@ -19,18 +19,19 @@
 #include <library/host_functions.h>
 #include <library/pen.h>
 #include <library/scene_changes.h>
-#include <lua/arena.h>
-#include <lua/budget.h>
+#include <limits/arena.h>
+#include <limits/budget.h>
 #include <lua/environment.h>
 #include <lua/host.h>
+#include <lua/library_chunks.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <motion/tweens.h>
 #include <objects/hints.h>
 #include <reload/reload.h>
 #include <runtime/parts.h>
+#include <sources/sources.h>
 #include <values/recording.h>
 #include <values/values.h>
 

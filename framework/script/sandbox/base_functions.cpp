@@ -8,15 +8,15 @@
 #include <fettle/script/runtime.h>
 
 #include <calls/errors.h>
-#include <lua/arena.h>
-#include <lua/budget.h>
+#include <limits/arena.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <sandbox/sandbox.h>
+#include <sources/sources.h>
 #include <text/columns.h>
 #include <values/recording.h>
 #include <values/records.h>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include <lua/arena.h>
-#include <lua/budget.h>
+#include <limits/arena.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>

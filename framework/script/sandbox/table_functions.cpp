@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>

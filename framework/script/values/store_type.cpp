@@ -5,7 +5,7 @@
 #include <fettle/property/path.h>
 #include <fettle/script/runtime.h>
 
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>

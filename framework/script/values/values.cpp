@@ -4,7 +4,7 @@
 
 #include <fettle/property/spelling.h>
 
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
