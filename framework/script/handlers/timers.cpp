@@ -11,7 +11,7 @@
 #include <handlers/connections.h>
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
-#include <limits/watchdog.h>
+#include <limits/limiters.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/host.h>
@@ -270,7 +270,7 @@ bool Timers::run() {
             insert({next_due(due, timer.interval, end, tolerance), id}, timer);
         }
         ok &= fire(timer);
-        if (machine_.watchdog.stopped()) break;
+        if (machine_.limiters.watchdog.stopped()) break;
         entry = queue_.begin();
     }
     return ok;
@@ -287,7 +287,7 @@ bool Timers::advance_real(double seconds) {
     bool ok = true;
     for (const auto& [rest, id] : due) {
         ok &= run_real(id);
-        if (machine_.watchdog.stopped()) break;
+        if (machine_.limiters.watchdog.stopped()) break;
     }
     return ok;
 }

@@ -6,9 +6,8 @@
 
 #include <fettle/script/runtime.h>
 
-#include <limits/arena.h>
 #include <limits/budget.h>
-#include <limits/watchdog.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
@@ -54,14 +53,15 @@ std::optional<Limits> Budget::of_call() const {
         return std::nullopt;
     const std::size_t whole = limits.memory == 0 ? machine_.options.memory_limit : limits.memory;
     const std::int64_t grown = machine_.tree.weight() - first_weight_;
-    const std::size_t used =
-        machine_.arena.bytes() + static_cast<std::size_t>(std::max<std::int64_t>(0, grown));
+    const std::size_t used = machine_.limiters.arena.bytes() +
+                             static_cast<std::size_t>(std::max<std::int64_t>(0, grown));
     return Limits{.instructions = limits.instructions,
                   .memory = whole - std::min(whole, used),
                   .whole = whole,
                   .subject = "the scripts of a game",
-                  .seconds = machine_.watchdog.limited() ? machine_.watchdog.limit_seconds()
-                                                         : Limits{}.seconds};
+                  .seconds = machine_.limiters.watchdog.limited()
+                                 ? machine_.limiters.watchdog.limit_seconds()
+                                 : Limits{}.seconds};
 }
 
 Budget::Scope::Scope(Budget& budget, const Limits& limits)
@@ -77,16 +77,16 @@ Budget::Scope::Scope(Budget& budget, const Limits& limits)
     now.deadline = std::chrono::steady_clock::now() +
                    std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                        std::chrono::duration<double>(std::min(limits.seconds, 1e6)));
-    now.outer_limit = machine.arena.limit();
+    now.outer_limit = machine.limiters.arena.limit();
     now.memory = std::min(limits.memory, now.outer_limit);
     now.whole = limits.whole;
     now.subject = limits.subject;
     now.raised_by = limits.raised_by;
-    now.lua_before = machine.arena.bytes();
+    now.lua_before = machine.limiters.arena.bytes();
     now.weight_before = machine.tree.weight();
     now.instances_before = machine.tree.size();
     now.watchers_before = machine.tree.watcher_count();
-    machine.arena.set_limit(std::min(now.outer_limit, now.lua_before + now.memory));
+    machine.limiters.arena.set_limit(std::min(now.outer_limit, now.lua_before + now.memory));
     // Many calls that let the tree grow a little are noticed as one that lets it grow much.
     if (machine.life.has_tree())
         budget.mark_at(std::min(budget.mark_, machine.tree.weight() + growth_slice));
@@ -95,7 +95,7 @@ Budget::Scope::Scope(Budget& budget, const Limits& limits)
 
 Budget::Scope::~Scope() {
     Machine& machine = budget_.machine_;
-    machine.arena.set_limit(budget_.now_.outer_limit);
+    machine.limiters.arena.set_limit(budget_.now_.outer_limit);
     budget_.now_ = std::move(outer_);
     if (budget_.now_.active)
         budget_.mark_next();
@@ -111,14 +111,14 @@ Budget::Scope::~Scope() {
 
 void Budget::hook(lua_State* L, lua_Debug*) {
     Machine& machine = machine_of(L);
-    Budget& budget = machine.budget;
+    Budget& budget = machine.limiters.budget;
     Account& now = budget.now_;
     budget.stop_if_interrupted(L);
     budget.refuse_grown_stack(L);
     if (!now.counting && !now.stopping) {
         // A coroutine that outlives its command, or a call that takes long.
         lua_sethook(L, nullptr, 0, 0);
-        guard(L, [&] { machine.watchdog.check_if_due(L); });
+        guard(L, [&] { machine.limiters.watchdog.check_if_due(L); });
         if (!now.stopping) return;
     }
     if (!now.stopping) {
@@ -185,7 +185,7 @@ void Budget::raise_stop(lua_State* L) {
 void Budget::charge(lua_State* L, std::uint64_t instructions) {
     stop_if_interrupted(L);
     if (!now_.counting && !now_.stopping) {
-        machine_.watchdog.check_if_due(L);
+        machine_.limiters.watchdog.check_if_due(L);
         check(L);
         return;
     }
@@ -228,9 +228,9 @@ std::string Budget::out_of_memory(const Refused& refused) {
 
 /// Describes a refusal without allocating memory.
 Budget::Refused Budget::describe(const Arena::Refusal& refusal) const {
-    const bool whole = machine_.arena.limit() >= machine_.options.memory_limit;
+    const bool whole = machine_.limiters.arena.limit() >= machine_.options.memory_limit;
     Refused refused = {.what = refusal,
-                       .limit = refusal.text ? machine_.arena.longest_text()
+                       .limit = refusal.text ? machine_.limiters.arena.longest_text()
                                 : whole      ? machine_.options.memory_limit
                                              : now_.memory,
                        .subject = whole ? "the scripts of a game" : now_.subject};
@@ -257,7 +257,7 @@ bool Budget::memory_refused(const Arena::Refusal& refusal) {
         return false;
     }
     refused_ = describe(refusal);
-    const bool own_limit = machine_.arena.limit() < machine_.options.memory_limit;
+    const bool own_limit = machine_.limiters.arena.limit() < machine_.options.memory_limit;
     if (!now_.active || !refusal.final || !(own_limit || now_.counting)) return true;
     stop(machine_.lua.running, refusal.by_system || refusal.text
                                    ? "stopped: " + out_of_memory(refused_)
@@ -272,7 +272,7 @@ void Budget::refuse_grown_stack(lua_State* L) {
     Arena::Refusal refusal = std::exchange(grown_stack_, {});
     if (refusal.size == 0 || now_.stopping) return;
     lua_gc(L, LUA_GCCOLLECT);
-    if (machine_.arena.bytes() <= machine_.arena.limit()) return;
+    if (machine_.limiters.arena.bytes() <= machine_.limiters.arena.limit()) return;
     refusal.final = true;
     memory_refused(refusal);
     if (now_.stopping) return;
@@ -293,7 +293,7 @@ std::string Budget::take_refusal() {
 // limit.
 void Budget::notice_growth() {
     if (!now_.active || now_.stopping) return;
-    Arena& arena = machine_.arena;
+    Arena& arena = machine_.limiters.arena;
     const auto grown = static_cast<std::size_t>(
         std::max<std::int64_t>(0, machine_.tree.weight() - now_.weight_before));
     if (grown + added(arena.bytes(), now_.lua_before) > now_.memory) {
@@ -360,7 +360,7 @@ std::string Budget::too_much_memory() const {
     if (!machine_.life.has_tree()) return text;
     const property::Tree& tree = machine_.tree;
     if (now_.whole != 0)
-        return text + "; Lua has " + megabytes(machine_.arena.bytes()) + ", and " +
+        return text + "; Lua has " + megabytes(machine_.limiters.arena.bytes()) + ", and " +
                instances_and_memory();
     std::string made;
     const auto report_count = [&made](std::size_t count, const char* what) {
@@ -372,8 +372,8 @@ std::string Budget::too_much_memory() const {
     if (grown > 0)
         made += (made.empty() ? "" : ", ") + megabytes(static_cast<std::size_t>(grown)) +
                 " in the tree";
-    made += (made.empty() ? "" : ", ") + megabytes(added(machine_.arena.bytes(), now_.lua_before)) +
-            " of Lua";
+    made += (made.empty() ? "" : ", ") +
+            megabytes(added(machine_.limiters.arena.bytes(), now_.lua_before)) + " of Lua";
     text += "; it made " + made;
     if (!now_.raised_by.empty()) text += " (" + now_.raised_by + " raises the limit)";
     return text;

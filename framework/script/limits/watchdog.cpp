@@ -7,7 +7,7 @@
 #include <system_error>
 #include <thread>
 
-#include <limits/budget.h>
+#include <limits/limiters.h>
 #include <limits/watchdog.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
@@ -116,15 +116,15 @@ void Watchdog::end_outermost() {
 
 void Watchdog::end_call() {
     if (watched_) end_outermost();
-    machine_.budget.call_ended();
+    machine_.limiters.budget.call_ended();
 }
 
 // The function may run Lua as well (in a console). It does so on another Lua thread, because hooks
 // are off in a thread that is inside a hook.
 void Watchdog::check(lua_State* L) {
     due_.store(false, std::memory_order_relaxed);
-    if (in_go_on_ || depth_ == 0 || thread_ == nullptr || machine_.budget.counting() ||
-        machine_.budget.stopping())
+    if (in_go_on_ || depth_ == 0 || thread_ == nullptr || machine_.limiters.budget.counting() ||
+        machine_.limiters.budget.stopping())
         return;
     const double seconds = seconds_.load(std::memory_order_relaxed);
     bool goes_on = false;
@@ -158,7 +158,7 @@ void Watchdog::check(lua_State* L) {
     std::snprintf(text, sizeof text, "stopped: it ran for %.1f seconds and did not come back",
                   seconds);
     stopped_ = true;
-    machine_.budget.stop(L, text);
+    machine_.limiters.budget.stop(L, text);
 }
 
 }  // namespace fettle::script

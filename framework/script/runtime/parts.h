@@ -4,16 +4,13 @@
 #include <fettle/script/runtime.h>
 
 #include <calls/errors.h>
-#include <calls/held_memory.h>
 #include <classes/script_classes.h>
 #include <classes/unplaced_instances.h>
 #include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <library/pen.h>
 #include <library/time_functions.h>
-#include <limits/arena.h>
-#include <limits/budget.h>
-#include <limits/watchdog.h>
+#include <limits/limiters.h>
 #include <lua/environment.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
@@ -48,11 +45,8 @@ struct Parts {
     Options options;
     Interpreter lua;
     RuntimeLifetime life;
-    Arena arena;
-    Budget budget{machine};
-    Watchdog watchdog{machine};
+    Limiters limiters;
     Environment globals;
-    property::GameFiles files_on_disk;
     Sources sources;
     Host host;
     Recording recording;
@@ -62,7 +56,6 @@ struct Parts {
     MemberTables members;
     Declarations declarations;
     Errors errors;
-    CountedMemory counted;
     Timers timers{machine};
     Tweens tweens{machine};
     Connections connections{machine};

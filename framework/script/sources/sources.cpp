@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include <limits/budget.h>
+#include <limits/limiters.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -15,7 +15,7 @@ namespace fettle::script {
 
 const char* next_piece(lua_State* L, std::string_view& left, std::size_t* size, std::size_t most) {
     *size = std::min(left.size(), most);
-    machine_of(L).budget.charge_by_the_clock(L, *size);
+    machine_of(L).limiters.budget.charge_by_the_clock(L, *size);
     const char* const piece = left.data();
     left.remove_prefix(*size);
     return piece;
@@ -32,7 +32,7 @@ const char* read_byte(lua_State* L, void* from, std::size_t* size) {
     std::string_view& left = *static_cast<std::string_view*>(from);
     *size = std::min<std::size_t>(left.size(), 1);
     if (left.size() % charged_at_once == 0)
-        machine_of(L).budget.charge_by_the_clock(L, charged_at_once);
+        machine_of(L).limiters.budget.charge_by_the_clock(L, charged_at_once);
     const char* const byte = left.data();
     left.remove_prefix(*size);
     return byte;

@@ -37,6 +37,11 @@ std::string_view without_byte_order_mark(std::string_view text);
 std::string_view without_shell_line(std::string_view text);
 
 struct Sources {
+    /// `given`: null for the files on the disk.
+    explicit Sources(property::GameFiles* given) : files(given != nullptr ? *given : on_disk) {}
+    Sources(const Sources&) = delete;
+
+    property::GameFiles on_disk{};
     property::GameFiles& files;
     std::filesystem::path folder;                        // of the game; empty if there is none
     std::unordered_map<std::string, std::string> texts;  // by name of the chunk

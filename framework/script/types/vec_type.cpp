@@ -193,8 +193,8 @@ void write_component(Machine& machine, VecBox& v, char component, double number)
     }
 }
 
-/// The name of the variable of the calling function that holds the vector at 1; "" if it is only a
-/// result in between, as in body.position.x = 3.
+/// The name of the variable of the calling function that holds the vector at 1; "" if it is an
+/// intermediate result, as in body.position.x = 3.
 std::string variable_with_vec(lua_State* L) {
     lua_Debug frame;
     if (lua_getstack(L, 1, &frame) == 0 || !lua_checkstack(L, 4)) return {};

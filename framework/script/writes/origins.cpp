@@ -2,7 +2,7 @@
 
 #include <fettle/property/path.h>
 
-#include <limits/budget.h>
+#include <limits/limiters.h>
 #include <lua/machine.h>
 #include <values/values.h>
 #include <writes/declarations.h>
@@ -45,7 +45,7 @@ Value origin_read(Machine& machine, const Origin& origin) {
     const Property& property = origin_property(machine.tree, origin);
     const Value* seen = machine.declarations.seen(origin.instance, property.name);
     Value whole = seen != nullptr ? *seen : machine.tree.get(origin.instance, property);
-    if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size() / 8);
+    if (whole.is(Type::list)) machine.limiters.budget.charge_quietly(whole.list().size() / 8);
     if (origin.depth == 0) return whole;
     return property::part_of(whole, segments(origin, nullptr), origin_path(machine.tree, origin));
 }
@@ -55,7 +55,7 @@ void origin_write(Machine& machine, const Origin& origin, const char* component,
     const Property& property = origin_property(machine.tree, origin);
     const Value* seen = machine.declarations.seen(origin.instance, property.name);
     const Value whole = seen != nullptr ? *seen : machine.tree.get(origin.instance, property);
-    if (whole.is(Type::list)) machine.budget.charge_quietly(whole.list().size());
+    if (whole.is(Type::list)) machine.limiters.budget.charge_quietly(whole.list().size());
     write_property(machine, origin.instance, property,
                    property::with_part(whole, segments(origin, component), value,
                                        origin_path(machine.tree, origin)));

@@ -23,8 +23,8 @@ struct TypedFormulas {
 void note_typed_formula(Machine& machine, property::Handle instance, std::string_view name);
 
 /// To be called before a script writes a plain value or another formula. If the property has a
-/// formula that a person has typed, gives one note with the place in the script: nobody else would
-/// say that the formula is gone.
+/// formula that a person has typed, gives one note with the place in the script. Without it, the
+/// formula would be lost unnoticed.
 void note_replaced_formula(Machine& machine, property::Handle instance, std::string_view name);
 
 }  // namespace fettle::script
