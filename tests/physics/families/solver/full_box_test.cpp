@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "../scenes.h"
 #include "catch.h"
+#include "scenes.h"
 
 namespace full_box_test {
 

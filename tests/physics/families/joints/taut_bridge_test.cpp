@@ -1,5 +1,5 @@
-// Bridges of links that are as long as the way between their ends, on which bodies fall: almost
-// straight, they need impulses without bound. FETTLE_SEEDS=n: n worlds.
+// Bodies fall on bridges of links. A bridge is as long as the distance between its ends, so it is
+// almost straight, and the impulses in it have no bound. FETTLE_SEEDS=n: n worlds.
 
 #include <fettle/physics/physics.h>
 
@@ -47,7 +47,7 @@ float fastest_after_fall(unsigned seed, Solver solver) {
     for (float time = 0; time < 3; time += dt) {
         world.step(dt);
         for (const Body& body : bodies) {
-            // What fell off the bridge falls on.
+            // A body that has fallen off the bridge does not count.
             if (body.position().y > -float(links) * size)
                 fastest = std::max(fastest, body.velocity().length());
         }
