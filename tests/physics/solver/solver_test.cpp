@@ -1,4 +1,4 @@
-#include <solver/contact_solver.h>
+#include <solver/contacts/contact_solver.h>
 #include <wide/kernels.h>
 
 #include <cstring>

@@ -1,4 +1,4 @@
-#include <solver/crowded_joints.h>
+#include <solver/joints/crowded_joints.h>
 #include <state/active_lists.h>
 #include <state/crowding.h>
 

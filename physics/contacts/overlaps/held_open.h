@@ -9,7 +9,7 @@
 // in balance over a step, whose contacts have the normals and lever arms of its beginning: knotted
 // limbs of ragdolls whipped at 13 m/s. So a joint has priority over contacts between dynamic
 // bodies: what holds it open passes through one of its two bodies, as a kinematic body passes
-// through what it crushes (contacts/crushed_bodies.h), and the joint closes.
+// through what it crushes (contacts/overlaps/crushed_bodies.h), and the joint closes.
 
 namespace fettle::physics::detail {
 

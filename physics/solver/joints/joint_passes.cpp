@@ -1,8 +1,8 @@
 #include <partition/union_find.h>
-#include <solver/crowded_joints.h>
-#include <solver/geometric_stiffness.h>
-#include <solver/joint_passes.h>
-#include <solver/obstructed_joints.h>
+#include <solver/joints/crowded_joints.h>
+#include <solver/joints/geometric_stiffness.h>
+#include <solver/joints/joint_passes.h>
+#include <solver/joints/obstructed_joints.h>
 #include <state/active_lists.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <solver/obstructed_joints.h>
+#include <solver/joints/obstructed_joints.h>
 #include <state/joint_kind.h>
 
 #include <algorithm>

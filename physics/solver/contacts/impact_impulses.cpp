@@ -1,4 +1,4 @@
-#include <solver/impact_impulses.h>
+#include <solver/contacts/impact_impulses.h>
 
 #include <cmath>
 

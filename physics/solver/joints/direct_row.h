@@ -1,7 +1,7 @@
 #pragma once
 
 #include <constraints/joint_rows.h>
-#include <solver/contact_solver.h>
+#include <solver/contacts/contact_solver.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #include <partition/union_find.h>
 #include <solver/accounting.h>
-#include <solver/joint_passes.h>
-#include <solver/joint_response.h>
+#include <solver/joints/joint_passes.h>
+#include <solver/joints/joint_response.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include <contacts/crushed_bodies.h>
-#include <contacts/overlaps.h>
+#include <contacts/overlaps/crushed_bodies.h>
+#include <contacts/overlaps/overlaps.h>
 #include <state/place_shape.h>
 
 #include <algorithm>

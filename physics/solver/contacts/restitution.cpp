@@ -1,6 +1,6 @@
-#include <solver/contact_solver.h>
-#include <solver/impact_impulses.h>
-#include <solver/solved_pair.h>
+#include <solver/contacts/contact_solver.h>
+#include <solver/contacts/impact_impulses.h>
+#include <solver/contacts/solved_pair.h>
 
 #include <cmath>
 #include <optional>

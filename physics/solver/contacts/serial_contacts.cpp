@@ -1,6 +1,6 @@
 #include <contacts/reports.h>
 #include <schedule/serial_criteria.h>
-#include <solver/serial_contacts.h>
+#include <solver/contacts/serial_contacts.h>
 #include <state/limits.h>
 
 #include <bit>

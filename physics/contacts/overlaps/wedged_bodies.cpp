@@ -1,5 +1,5 @@
-#include <contacts/overlaps.h>
-#include <contacts/wedged_bodies.h>
+#include <contacts/overlaps/overlaps.h>
+#include <contacts/overlaps/wedged_bodies.h>
 #include <state/joint_kind.h>
 #include <state/limits.h>
 

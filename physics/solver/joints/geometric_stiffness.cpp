@@ -1,5 +1,5 @@
-#include <solver/geometric_stiffness.h>
-#include <solver/joint_passes.h>
+#include <solver/joints/geometric_stiffness.h>
+#include <solver/joints/joint_passes.h>
 
 namespace fettle::physics::detail {
 void raise_inertia(const JointSource& source, const JointStep& step, JointScratch& joints,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <solver/joint_response.h>
+#include <solver/joints/joint_response.h>
 
 // The impulses of one impact of two bodies: docs/design/physics.md, "Friction belongs to the
 // impact".

@@ -1,5 +1,5 @@
-#include <contacts/crushed_bodies.h>
-#include <contacts/held_open.h>
+#include <contacts/overlaps/crushed_bodies.h>
+#include <contacts/overlaps/held_open.h>
 #include <state/joint_kind.h>
 
 #include <algorithm>

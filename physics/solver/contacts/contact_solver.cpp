@@ -1,5 +1,5 @@
-#include <solver/contact_solver.h>
-#include <solver/solved_pair.h>
+#include <solver/contacts/contact_solver.h>
+#include <solver/contacts/solved_pair.h>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <solver/joint_passes.h>
+#include <solver/joints/joint_passes.h>
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include <solver/direct_row.h>
+#include <solver/joints/direct_row.h>
 #include <solver/solvers.h>
 
 #include <cmath>

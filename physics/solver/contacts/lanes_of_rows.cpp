@@ -1,4 +1,4 @@
-#include <solver/lanes_of_rows.h>
+#include <solver/contacts/lanes_of_rows.h>
 
 namespace fettle::physics::detail {
 namespace {
