@@ -1,7 +1,6 @@
 #include "calls.h"
 
 #include <fettle/physics_c/keep_error.h>
-#include <fettle/property/exception_text.h>
 
 #include <new>
 #include <stdexcept>

@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "../c/calls/retired.h"
 #include "calls.h"

@@ -8,7 +8,6 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/drawn_methods.h>
-#include <values/weight.h>
 
 #include "state.h"
 

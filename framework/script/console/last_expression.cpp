@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include <lua/stack.h>
 #include <sources/sources.h>
 
 namespace fettle::script {

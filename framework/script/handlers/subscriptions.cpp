@@ -16,7 +16,6 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <other_languages/synonyms.h>
-#include <text/words.h>
 #include <values/records.h>
 #include <values/values.h>
 #include <writes/declarations.h>

@@ -3,8 +3,6 @@
 #include <limits>
 #include <utility>
 
-#include <fettle/property/spelling.h>
-
 #include <calls/function_ref.h>
 #include <calls/held_memory.h>
 #include <calls/protected.h>
@@ -19,7 +17,6 @@
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
 #include <lua/stack.h>
-#include <values/short_text.h>
 #include <values/values.h>
 
 namespace fettle::script {

@@ -8,7 +8,6 @@
 #include <limits/limiters.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <values/short_text.h>
 
 namespace fettle::script {
 

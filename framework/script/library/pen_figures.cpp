@@ -22,7 +22,6 @@
 #include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
-#include <lua/stack.h>
 
 namespace fettle::script {
 

@@ -4,7 +4,6 @@
 // because a rewind may return to a step before that barrier.
 
 #include <algorithm>
-#include <cmath>
 
 #include <fettle/property/spelling.h>
 

@@ -5,7 +5,6 @@
 
 #include <fettle/property/path.h>
 #include <fettle/property/reserved_names.h>
-#include <fettle/property/spelling.h>
 
 #include <classes/script_classes.h>
 #include <handlers/formulas.h>
@@ -18,7 +17,6 @@
 #include <objects/methods.h>
 #include <other_languages/synonyms.h>
 #include <reference/language.h>
-#include <text/words.h>
 #include <values/members.h>
 #include <values/recording.h>
 #include <values/short_text.h>

@@ -12,7 +12,6 @@
 #include <classes/unplaced_instances.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
-#include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include <classes/script_classes.h>
 #include <lua/machine.h>

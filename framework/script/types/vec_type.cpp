@@ -6,7 +6,6 @@
 #include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <text/columns.h>
 #include <values/short_text.h>
 #include <values/store_type.h>
 #include <values/values.h>

@@ -11,7 +11,6 @@
 #include <values/description.h>
 #include <values/members.h>
 #include <values/moved_lists.h>
-#include <values/short_text.h>
 #include <values/store_type.h>
 #include <values/values.h>
 

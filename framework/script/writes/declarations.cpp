@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include <fettle/property/path.h>
 

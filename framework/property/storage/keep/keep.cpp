@@ -11,7 +11,6 @@
 #include <keep/keep_by_path.h>
 #include <keep/keep_in_scene.h>
 #include <keep/keep_run.h>
-#include <scenes/scene_names.h>
 
 namespace fettle::property {
 

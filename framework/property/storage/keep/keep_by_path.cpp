@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <keep/scene_keeping.h>
-#include <scenes/scene_names.h>
 
 namespace fettle::property {
 

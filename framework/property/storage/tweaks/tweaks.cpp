@@ -12,7 +12,6 @@
 
 #include <files/game_folders.h>
 #include <files/temporary_file.h>
-#include <scenes/scene_names.h>
 #include <tweaks/tweaks_state.h>
 
 namespace fettle::property {
