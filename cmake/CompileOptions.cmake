@@ -20,9 +20,9 @@ function(fettle_compile_options target)
     -ffp-contract=off
     # -O3, the default of CMake, takes a sixth longer to compile. A step of physics has it, and fettle_hot_sources.
     $<$<CONFIG:Release>:-O$<IF:$<BOOL:$<TARGET_PROPERTY:FETTLE_OPTIMIZATION>>,$<TARGET_PROPERTY:FETTLE_OPTIMIZATION>,2>>)
-  # GCC 12 warns of overlaps and overflows that do not exist where short texts are joined to a std::string (its bugs 105651
-  # and 105329). Builds with clang and with later releases have these warnings.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # GCC 12 to 14 warn of overlaps and overflows that do not exist where texts are joined to a std::string (bugs 105651 and
+  # 105329 of GCC). Builds with clang and with later releases have these warnings.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15)
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
   endif()
   # With -fipa-ra, GCC assumes that a call of an inline function changes only the registers that the copy in the same file

@@ -19,6 +19,7 @@ struct JointStep {
     float h = 0.0f;  ///< sub-step, s
     float inverse_h = 0.0f;
     float impulse_ratio = 1.0f;  ///< to the last sub-step: scales warm starting
+    float contact_hertz = 0.0f;  ///< frequency of contacts under load
     Softness rigid;              ///< softness of rigid rows
     /// A wider gap is closed as fast as this one, m.
     float greatest_gap = 1e30f;
@@ -73,6 +74,8 @@ struct JointEnds {
     /// A length or a translation that is wrong by more counts as wrong by this, m. See
     /// solver/joints/obstructed_joints.h.
     float greatest_error = infinity;
+    /// The greatest impulse in a sub-step of a row that holds a length and yields, N s.
+    float greatest_pull = infinity;
 
     void follow(const SolverBody& body_a, const SolverBody& body_b) {
         lever_a = turned(start_a, body_a.turn);

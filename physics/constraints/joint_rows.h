@@ -48,9 +48,10 @@ float push_rigid(float& impulse, float mass, float velocity, float error, const 
 
 /// A row that pushes in one direction only: it prevents `room` from becoming negative. `velocity`
 /// is the time derivative of the room. Returns the change of `impulse`. What is missing of the room
-/// comes back at a limited speed, as `length_softness` says.
+/// comes back at a limited speed, as `length_softness` says. `greatest`: the maximum impulse.
 template <bool biased>
-float push_limit(float& impulse, float mass, float velocity, float room, const JointStep& step) {
+float push_limit(float& impulse, float mass, float velocity, float room, const JointStep& step,
+                 float greatest = infinity) {
     float bias = 0.0f, mass_scale = 1.0f, impulse_scale = 0.0f;
     if (room > 0.0f) {
         bias = room * step.inverse_h;  // the room may close completely, but not more
@@ -61,7 +62,7 @@ float push_limit(float& impulse, float mass, float velocity, float room, const J
         impulse_scale = soft.impulse_scale;
     }
     const float wanted = -mass * mass_scale * (velocity + bias) - impulse_scale * impulse;
-    const float total = max(impulse + wanted, 0.0f);
+    const float total = clamp(impulse + wanted, 0.0f, greatest);
     const float change = total - impulse;
     impulse = total;
     return change;

@@ -28,14 +28,14 @@ class ContactStiffness {
 
     /// `hertz` is the stiffness of a loaded contact, at most a quarter of the sub-step rate: from a
     /// third on, heavy loads are thrown off. `weight`: acceleration by gravity, m/s².
-    ContactStiffness(float hertz, float damping_ratio, float h, float weight) {
-        const float most = min(hertz, greatest_share / h);
+    ContactStiffness(float hertz, float damping_ratio, float h, float weight)
+        : loaded_hertz_(min(hertz, greatest_share / h)) {
         for (int fixed = 0; fixed < 2; ++fixed) {
             // No body pushes the fixed body of such a contact from behind, so the contact can be
             // twice as stiff.
             const float times = fixed == 1 ? 2.0f : 1.0f;
-            idle_[fixed] = make_softness(times * idle_share * most, damping_ratio, h);
-            loaded_[fixed] = make_softness(times * most, damping_ratio, h);
+            idle_[fixed] = make_softness(times * idle_share * loaded_hertz_, damping_ratio, h);
+            loaded_[fixed] = make_softness(times * loaded_hertz_, damping_ratio, h);
         }
         share_ = 1.0f / ((greatest_load - least_load) * weight * h);
     }
@@ -55,6 +55,8 @@ class ContactStiffness {
 
     const Softness& idle(bool fixed) const { return idle_[fixed]; }
     const Softness& loaded(bool fixed) const { return loaded_[fixed]; }
+    /// Frequency of a loaded contact of two moving bodies.
+    float loaded_hertz() const { return loaded_hertz_; }
     /// The stiffness depends on load · share - least_share, limited to 0 … 1.
     float share() const { return share_; }
 
@@ -72,6 +74,7 @@ class ContactStiffness {
     static constexpr float least_share = least_load / (greatest_load - least_load);
 
   private:
+    float loaded_hertz_;
     Softness idle_[2], loaded_[2];  ///< index 0: two moving bodies; 1: a moving and a fixed one
     float share_ = 0.0f;
 };

@@ -420,14 +420,15 @@ void refresh_edited_mass(const Editing& e, uint32_t body) {
     if (is_given(record.given.inertia)) inertia = double(record.given.inertia);
 
     const BodyState& state = e.columns.states[body];
-    const Position old_center = record.center;
     const Vec2 old_local_center = record.local_center;
     record.mass = float(mass);
     record.inertia = float(inertia);
     record.local_center = local_center;
-    record.center = state.position + rotate({state.cosine, state.sine}, record.local_center);
+    const Rotation q = {state.cosine, state.sine};
+    record.center = state.position + rotate(q, record.local_center);
     // The motion of the body does not change, but its velocity refers to another point now.
-    const Vec2 drift = cross(state.angular_velocity, record.center - old_center);
+    const Vec2 drift =
+        cross(state.angular_velocity, rotate(q, record.local_center - old_local_center));
     e.columns.states[body].velocity = bounded(state.velocity + drift, 1e30f);
     if (!is_static || record.local_center.x != old_local_center.x ||
         record.local_center.y != old_local_center.y)

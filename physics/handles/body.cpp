@@ -102,17 +102,29 @@ void Body::set_position(const Position& position) {
     data.change<teleport>(id_.index, check_coordinates("position", position), state.angle);
 }
 
+namespace {
+
+/// Teleports a body to a pose of any angle. A change of its mass that is still to be computed moves
+/// the point that its velocity refers to, and the direction of that way depends on the angle
+/// before.
+void turn(WorldData& data, uint32_t body, const Pose& pose) {
+    data.read_mass(body);
+    data.change<teleport>(body, pose.position, pose.angle);
+}
+
+}  // namespace
+
 void Body::set_angle(float angle) {
     FETTLE_EDIT_BODY
-    data.change<teleport>(id_.index, state.position,
-                          check_range("angle", angle, -greatest_coordinate, greatest_coordinate));
+    check_range("angle", angle, -greatest_coordinate, greatest_coordinate);
+    turn(data, id_.index, {state.position, angle});
 }
 
 void Body::set_pose(const Pose& pose) {
     FETTLE_EDIT_BODY
     check_coordinates("position", pose.position);
     check_range("angle", pose.angle, -greatest_coordinate, greatest_coordinate);
-    data.change<teleport>(id_.index, pose.position, pose.angle);
+    turn(data, id_.index, pose);
 }
 
 bool detail::wake_if_movable(WorldData& data, uint32_t body) {

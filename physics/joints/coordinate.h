@@ -162,14 +162,18 @@ float hold_at_limit(float& motor_impulse, LimitImpulses& impulses, const Motor& 
 }
 
 /// Solves the limits of a row, but not the one at `end`, as in `Motor::stopped_at`. `velocity()`
-/// and `push(impulse)` are the functions of the row.
+/// and `push(impulse)` are the functions of the row; `greatest`: the impulse that a limit may
+/// exert.
 template <bool biased, class Velocity, class Push>
 void solve_limits(const Limits& limits, LimitImpulses& impulses, float mass, float position,
-                  const JointStep& step, Velocity&& velocity, Push&& push, int end = 0) {
+                  const JointStep& step, Velocity&& velocity, Push&& push, int end = 0,
+                  float greatest = infinity) {
     if (limits.lower > -infinity && end >= 0)
-        push(push_limit<biased>(impulses.lower, mass, velocity(), position - limits.lower, step));
+        push(push_limit<biased>(impulses.lower, mass, velocity(), position - limits.lower, step,
+                                greatest));
     if (limits.upper < infinity && end <= 0)
-        push(-push_limit<biased>(impulses.upper, mass, -velocity(), limits.upper - position, step));
+        push(-push_limit<biased>(impulses.upper, mass, -velocity(), limits.upper - position, step,
+                                 greatest));
 }
 
 /// `greatest`: the impulse that a limit may exert.
@@ -220,8 +224,7 @@ struct CoordinateImpulses {
     float spring = 0.0f, motor = 0.0f;
     LimitImpulses limits;
     void scale(float s) { spring *= s, motor *= s, limits.scale(s); }
-    float of_bounds() const { return motor + limits.sum(); }
-    float sum() const { return spring + of_bounds(); }
+    float sum() const { return spring + motor + limits.sum(); }
 };
 
 struct Coordinate {
@@ -273,9 +276,11 @@ struct Coordinate {
         if (!biased && driven && !drives)
             push(push_motor(impulses.motor, mass, velocity(), 0.0f, motor.greatest));
     }
-    /// True if the rigid rows hold reactions to the limits or to the motor.
+    /// True if the rigid rows hold reactions to the limits or to the motor, and to the spring that
+    /// pushes against them.
     bool has_reactions(const CoordinateImpulses& impulses) const {
-        return drives || impulses.limits.lower > 0.0f || impulses.limits.upper > 0.0f;
+        return bounded &&
+               (springy || drives || impulses.limits.lower > 0.0f || impulses.limits.upper > 0.0f);
     }
     /// True if a pass changes impulses of the motor or of the limits.
     template <bool biased>

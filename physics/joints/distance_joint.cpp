@@ -152,6 +152,7 @@ struct DistanceConstraint {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return driven && motor.moves_bodies(line.velocity(a, b));
     }
+    Pull pull_now() const { return {too_long, {line.direction, -line.direction}}; }
     Drive drive() {
         if (!driven) return {};
         return {&motor.greatest, impulses.motor, line.direction, false};
@@ -164,9 +165,11 @@ struct DistanceConstraint {
     template <bool biased>
     void hold(SolverBody& a, SolverBody& b, float error, const JointStep& step) {
         if (biased) error = ends.close_wide_gap(a, b, line.direction, error, step);
-        line.push(ends, a, b,
-                  push_rigid<biased>(impulses.along, ends.share * line.mass, line.velocity(a, b),
-                                     error, step.length_softness(error)));
+        const float before = impulses.along;
+        push_rigid<biased>(impulses.along, ends.share * line.mass, line.velocity(a, b), error,
+                           step.length_softness(error));
+        impulses.along = clamp(impulses.along, -ends.greatest_pull, ends.greatest_pull);
+        line.push(ends, a, b, impulses.along - before);
     }
     template <bool biased>
     void limit(SolverBody& a, SolverBody& b, float distance, const JointStep& step) {
@@ -179,7 +182,7 @@ struct DistanceConstraint {
                                             line.mass, distance, line.velocity(a, b), step));
         solve_limits<biased>(
             limits, impulses.limits, line.mass, distance, step, [&] { return line.velocity(a, b); },
-            [&](float p) { line.push(ends, a, b, p); }, end);
+            [&](float p) { line.push(ends, a, b, p); }, end, ends.greatest_pull);
     }
 };
 

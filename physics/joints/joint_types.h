@@ -33,7 +33,7 @@ class JointFunctions {
     /// True if `pass<biased>` is both `solve` and `relax`.
     static constexpr bool has_one_pass = requires { &Constraint::template pass<true>; };
     static constexpr bool has_motor = requires { &Constraint::drive; };
-    static constexpr bool has_length = requires { &Constraint::too_long; };
+    static constexpr bool has_length = requires { &Constraint::pull_now; };
 
   public:
     static constexpr JointKind kind(const char* name) {
@@ -45,8 +45,8 @@ class JointFunctions {
         if constexpr (requires { &Settings::gives_energy; }) is_driven = gives_energy;
         Drive (*motor)(JointArray&, size_t) = nullptr;
         if constexpr (has_motor) motor = drive_of;
-        bool (*length)(const JointArray&, size_t) = nullptr;
-        if constexpr (has_length) length = is_too_long;
+        Pull (*length)(const JointArray&, size_t) = nullptr;
+        if constexpr (has_length) length = pull_of;
         return {name,    sizeof(Constraint), begin,   check,      measure, is_rigid, is_driven,
                 prepare, warm_start,         solve,   relax,      load,    ends_of,  length,
                 motor,   impulses_of,        load_on, write_rows, store};
@@ -82,7 +82,7 @@ class JointFunctions {
             pulls_hard |= GeometricStiffness::may_be_too_great(c.ends, joint.force, a, b, step.h) ||
                           may_be_obstructed(joint.force, a, b, step.h);
             if constexpr (has_motor) presses = presses || may_press(c.drive(), a, b);
-            if constexpr (has_length) presses |= c.too_long;
+            if constexpr (has_length) presses |= c.pull_now().too_long;
         }
         return uint8_t((pulls_hard ? pull : 0) | (presses ? press : 0));
     }
@@ -137,8 +137,8 @@ class JointFunctions {
     static JointEnds& ends_of(JointArray& array, size_t index) {
         return array.as<Constraint>()[index].ends;
     }
-    static bool is_too_long(const JointArray& array, size_t index) {
-        return array.as<Constraint>()[index].too_long;
+    static Pull pull_of(const JointArray& array, size_t index) {
+        return array.as<Constraint>()[index].pull_now();
     }
     static Drive drive_of(JointArray& array, size_t index) {
         return array.as<Constraint>()[index].drive();

@@ -74,6 +74,7 @@ struct PulleyConstraint {
     PulleyImpulses impulses;
     Side side_a, side_b;
     float ratio = 1.0f, length = 0.0f, mass = 0.0f;
+    bool too_long = false;  ///< at the start of the step
 
     static float separation(const Settings& settings, const JointPlace& place) {
         const float rope = detail::length(place.anchor_a - settings.ground_a) +
@@ -87,6 +88,7 @@ struct PulleyConstraint {
         side_a.start = frame.center_a - settings.ground_a;
         side_b.start = frame.center_b - settings.ground_b;
         follow(a, b);
+        too_long = room() < -obstructed_gap;
     }
     void warm_start(SolverBody& a, SolverBody& b) const { pull(a, b, impulses.tension); }
     template <bool biased>
@@ -94,7 +96,9 @@ struct PulleyConstraint {
         follow(a, b);
         if (biased) close_wide_gap(a, b, step);
         const float velocity = -side_a.lengthening(a) - ratio * side_b.lengthening(b);
-        pull(a, b, push_limit<biased>(impulses.tension, mass, velocity, room(), step));
+        pull(
+            a, b,
+            push_limit<biased>(impulses.tension, mass, velocity, room(), step, ends.greatest_pull));
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         follow(a, b);
@@ -104,6 +108,7 @@ struct PulleyConstraint {
         rows.limit(rope, room(), impulses.tension).high =
             double(ends.greatest_impulse(mass, float(rows.h())));
     }
+    Pull pull_now() const { return {too_long, {-side_a.direction, -side_b.direction}}; }
     JointLoad load() const { return {-(ratio * impulses.tension) * side_b.direction, 0.0f}; }
 
   private:

@@ -85,13 +85,14 @@ struct Rail {
                          bool holds_angle) const {
         return FreeSlide::make(ends, along, across, a, b, holds_angle);
     }
-    /// The parts of the impulses of the rigid rows that are reactions to the motor and the limits.
+    /// The parts of the impulses of the rigid rows that are reactions to the motor, the limits and
+    /// the spring.
     RailReaction reaction(const RailImpulses& impulses, const JointEnds& ends, const SolverBody& a,
                           const SolverBody& b, bool holds_angle) const {
-        if (!coordinate.bounded || !coordinate.has_reactions(impulses.along)) return {};
+        if (!coordinate.has_reactions(impulses.along)) return {};
         const FreeSlide free = free_slide(ends, a, b, holds_angle);
-        const float bounds = impulses.along.of_bounds();
-        return {bounds * free.across, bounds * free.turning};
+        const float sum = impulses.along.sum();
+        return {sum * free.across, sum * free.turning};
     }
     /// The last part of a pass, after the rigid rows. `twist`: impulse of the row that holds the
     /// angle, if there is one.
@@ -113,7 +114,7 @@ struct Rail {
                 *twist += p * free.turning;
             });
     }
-    /// `reaction`: the part of the impulse across that is the reaction to a motor or a limit.
+    /// `reaction`: the part of the impulse across that is a `RailReaction`.
     template <bool biased>
     void solve_across(RailImpulses& impulses, float reaction, const JointEnds& ends, SolverBody& a,
                       SolverBody& b, const JointStep& step) const {

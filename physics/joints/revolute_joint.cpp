@@ -74,8 +74,8 @@ struct RevoluteConstraint {
         const Vec2 wanted = pressed ? ends.buckled(gap) : gap;
         const Vec2 velocity = ends.velocity(a, b) + soft.bias_rate * wanted;
         Vec2 own = impulses.point;
-        if (angle.bounded && angle.has_reactions(impulses.angle))
-            own = own - impulses.angle.of_bounds() * free_turn(a, b).reaction;
+        if (angle.has_reactions(impulses.angle))
+            own = own - impulses.angle.sum() * free_turn(a, b).reaction;
         push_point(a, b, -(soft.mass_scale * (mass * velocity) + soft.impulse_scale * own));
         if (angle.bounded) solve_bounds<true>(a, b, step);
     }

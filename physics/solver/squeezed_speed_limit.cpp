@@ -141,12 +141,60 @@ class Squeezes {
         const auto scale = [](float value, float limit) {
             return value > limit ? limit / value : 1.0f;
         };
+        const SolverBody before = b;
         b.velocity = scale(length(b.velocity), most.speed) * b.velocity;
         b.shift = scale(length(b.shift), dt_ * most.speed) * b.shift;
         b.angular_velocity *= scale(std::fabs(b.angular_velocity), most.turn);
         b.turn *= scale(std::fabs(b.turn), dt_ * most.turn);
+        keep_ahead(index, before);
         input_.bodies.limited.push_back(body);
         return true;
+    }
+
+    /// What presses a body from one side carries it along, and the limit takes none of that: a ball
+    /// that slides on a lift is faster than the lift, and with the speed of the lift alone it would
+    /// sink in.
+    void keep_ahead(uint32_t index, const SolverBody& before) {
+        const uint32_t body = body_at(index);
+        std::array<const ContactRecord*, most_presses> pressing;
+        size_t count = 0;
+        for (const ContactsOfBodies::Contact contact : contacts_of(index)) {
+            const ContactRecord& c = input_.objects.contacts[contact.slot];
+            const uint32_t other = input_.objects.other_body(contact.slot, body);
+            if (yields(other) || !(depth_of(c) > least_unyielding_)) continue;
+            const Vec2 n = normal_from(other, c);
+            const bool between = std::any_of(
+                pressing.begin(), pressing.begin() + count, [&](const ContactRecord* p) {
+                    return dot(n, normal_from(body == p->body_a ? p->body_b : p->body_a, *p)) <
+                           0.0f;
+                });
+            if (between) return;
+            if (count < most_presses) pressing[count++] = &c;
+        }
+        for (size_t i = 0; i < count; ++i)
+            keep_ahead(*pressing[i], body, before, input_.bodies.solver_bodies[index]);
+    }
+    /// Keeps the speed away from the presser at each point, up to that of the presser.
+    void keep_ahead(const ContactRecord& c, uint32_t body, const SolverBody& before,
+                    SolverBody& b) const {
+        const bool is_a = body == c.body_a;
+        const SolverBody& presser = solver_body(is_a ? c.body_b : c.body_a);
+        const Vec2 n = is_a ? -c.manifold.normal : c.manifold.normal;
+        for (int k = 0; k < c.manifold.count; ++k) {
+            const ManifoldPoint& p = c.manifold.points[k];
+            const Vec2 arm = is_a ? p.anchor_a : p.anchor_b;
+            const Vec2 far_arm = is_a ? p.anchor_b : p.anchor_a;
+            const auto along = [n](Vec2 linear, float turn, Vec2 at) {
+                return dot(n, linear + cross(turn, at));
+            };
+            const float speed = min(along(before.velocity, before.angular_velocity, arm),
+                                    along(presser.velocity, presser.angular_velocity, far_arm));
+            const float way = min(along(before.shift, before.turn, arm),
+                                  along(presser.shift, presser.turn, far_arm));
+            b.velocity =
+                b.velocity + max(speed - along(b.velocity, b.angular_velocity, arm), 0.0f) * n;
+            b.shift = b.shift + max(way - along(b.shift, b.turn, arm), 0.0f) * n;
+        }
     }
 
     /// A body that was reached, and whether the impulses on it are known to be too large.

@@ -1,7 +1,9 @@
 // The biased pass moves bodies that overlap apart and closes the gaps of joints, and the relax pass
 // takes the velocities of these corrections away. Where contacts and joints work against each
 // other, it takes only a part of them: then the corrections shake the bodies for ever, and the
-// impulses with which the next sub-step begins throw them. But contacts, and joints without motors
+// impulses with which the next sub-step begins throw them. And impacts that the direct solver
+// solves together, each with the speed of its approach, may give back more than they took, as in a
+// row of balls. But contacts, and joints without motors
 // and springs, give no energy to the bodies that they connect. So the kinetic energy of such a
 // group after the step is at most that before the step plus the work of the forces. What is more is
 // taken from its velocities. A correction that lifts a body is paid for, too, since the way of the
@@ -145,6 +147,10 @@ void limit_strained(const SolverInput& input, const Columns& columns,
         return input.objects.bodies[body].lists.first_joint != none;
     };
     std::optional<StrainedGroups> groups;
+    for (const uint32_t body : input.bodies.strained) {
+        if (!groups) groups.emplace(input, columns, h);
+        groups->limit(body);
+    }
     for (const uint32_t contact : pressed) {
         const ContactRecord& c = input.objects.contacts[contact];
         if (!jointed(c.body_a) && !jointed(c.body_b)) continue;

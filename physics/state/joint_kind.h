@@ -62,6 +62,13 @@ struct Drive {
     }
 };
 
+/// A rope, a rod or a pulley: whether it is longer than it may be by more than `obstructed_gap`,
+/// and where it draws its bodies.
+struct Pull {
+    bool too_long = false;
+    Vec2 towards[2];  ///< unit vectors
+};
+
 /// What the force of a joint may concern. Bits.
 enum HardPush : uint8_t {
     pull = 1,  ///< solver/joints/geometric_stiffness.h and solver/joints/obstructed_joints.h
@@ -92,9 +99,8 @@ struct JointKind {
     Pass warm_start, solve, relax;
     JointLoad (*load)(const JointArray& array, size_t index);
     JointEnds& (*ends)(JointArray& array, size_t index);
-    /// True for a rope or a rod that is longer than it may be by more than `obstructed_gap`. Null:
-    /// the joint has no length.
-    bool (*is_too_long)(const JointArray& array, size_t index);
+    /// Null: the joint has no length.
+    Pull (*pull)(const JointArray& array, size_t index);
     /// Null: the type has no motor.
     Drive (*drive)(JointArray& array, size_t index);
     /// The impulses of a joint in a sub-step, as its type defines them.

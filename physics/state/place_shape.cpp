@@ -90,6 +90,7 @@ void place_shape(ObjectState& objects, std::span<Box4> boxes, uint32_t shape, Ro
     for (uint32_t i = form.begin; i < form.begin + form.count; ++i)
         pool.offsets[i] = dot(pool.normals[i], pool.local[i] - local_center);
     move_shape(objects, boxes, shape, q, angle);
+    objects.forms[shape].turn = 0.0f;  // an edit is no rotation of a step
     if (form.count == 3) pool.pad_triangle(form.begin);
 }
 

@@ -64,6 +64,8 @@ struct BodyScratch {
     std::vector<uint32_t> maybe_crowded;  ///< slots of bodies that many joints may crowd
     /// Slots of bodies whose speed was limited: their stored impulses are too large.
     std::vector<uint32_t> limited;
+    /// Slots of bodies in whose group this step may create no energy: solver/strained_groups.cpp.
+    std::vector<uint32_t> strained;
     std::vector<uint8_t> bounced;            ///< by body: the last pass of impacts that changed it
     std::vector<FirstImpact> first_impacts;  ///< by body
     Attractions attractions;                 ///< of the bodies that attractors pull
@@ -71,8 +73,8 @@ struct BodyScratch {
     bool driven = false;                     ///< some awake body is kinematic
 
     FETTLE_SCRATCH(BodyScratch, s.solver_bodies, s.solver_ends, s.solver_forces, s.gathered,
-                   s.locked, s.maybe_crowded, s.limited, s.bounced, s.first_impacts, s.attractions,
-                   s.axes_locked, s.driven)
+                   s.locked, s.maybe_crowded, s.limited, s.strained, s.bounced, s.first_impacts,
+                   s.attractions, s.axes_locked, s.driven)
 };
 
 /// The acting joints of one type in a step, in the order of their nodes.

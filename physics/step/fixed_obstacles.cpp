@@ -35,6 +35,11 @@ class WayBetweenFixed {
             const float arrival = time_of(s, other, 0.0f, hit_gap);
             if (arrival < 1.0f) meetings_.push_back({s, other, arrival});
         });
+        // Of obstacles that are met at the same time, the first one counts. The order in the tree
+        // depends on its history.
+        std::sort(meetings_.begin(), meetings_.end(), [](const Meeting& a, const Meeting& b) {
+            return a.shape != b.shape ? a.shape < b.shape : a.other < b.other;
+        });
     }
 
     Impact impact() {

@@ -175,7 +175,7 @@ void WorldData::gather_objects(const SubSteps& sub, float dt) {
 JointStep WorldData::prepare_constraints(const SubSteps& sub, float dt) {
     const JointStep joint_step =
         prepare_joints(objects(), columns(), active(), body_scratch(), joint_scratch(), sub.h,
-                       sub.ratio, settings.solver, threads);
+                       sub.ratio, sub.stiffness.loaded_hertz(), settings.solver, threads);
     find_acting(objects(), active(), body_scratch(), joint_scratch(), settings, schedule(),
                 contact_scratch(), dt, threads);
     color_contacts(active(), body_scratch(), strips, acting_joints(), contact_scratch(), schedule(),
@@ -201,8 +201,8 @@ void WorldData::solve_constraints(const SubSteps& sub, const JointStep& joint_st
     if (groups) {
         jammed = find_jammed(input, columns(), pressed);
         if (crowded_shapes > 0) limit_pushes(input, columns());
-        limit_strained(input, columns(), pressed, sub.h);
     }
+    limit_strained(input, columns(), groups ? std::span(pressed) : std::span<uint32_t>(), sub.h);
     pressed.resize(jammed);
     hold_sunk(objects(), columns(), settings, contact_scratch(), body_scratch());
     end_sums(input, columns());

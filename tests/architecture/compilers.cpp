@@ -22,4 +22,17 @@ Violations words_of_one_compiler(const SourceTree& tree) {
     return found;
 }
 
+Violations names_of_one_catch(const SourceTree& tree) {
+    static const std::regex name(R"(Catch::(Detail::Approx|(Matchers::)?Contains\b))");
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        if (!path.starts_with("tests/") || path == "tests/include/catch.h") continue;
+        for (std::size_t i = 0; i < file.lines.size(); ++i)
+            if (std::regex_search(file.lines[i], name))
+                found.push_back(path + ":" + std::to_string(i + 1) +
+                                ": only one of Catch2 2 and 3 has this; catch.h has it for both");
+    }
+    return found;
+}
+
 }  // namespace fettle::architecture

@@ -66,6 +66,9 @@ Violations headers_of_linux(const SourceTree& tree);
 /// A public header uses words of GCC and clang only if it asks for the compiler.
 Violations words_of_one_compiler(const SourceTree& tree);
 
+/// Tests use names that Catch2 2 and 3 have, and those that catch.h gives to both.
+Violations names_of_one_catch(const SourceTree& tree);
+
 /// The public headers of physics include only those of the standard library that compile fast. So a
 /// program that includes <fettle/physics/physics.h> compiles in less than half of the time that
 /// <functional>, <memory> and <cmath> would take as well.

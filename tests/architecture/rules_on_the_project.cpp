@@ -100,6 +100,10 @@ TEST_CASE("no part needs a header of Linux") {
     CHECK(listed(words_of_one_compiler(project())) == "");
 }
 
+TEST_CASE("tests compile with each release of Catch2") {
+    CHECK(listed(names_of_one_catch(project())) == "");
+}
+
 TEST_CASE("public headers of physics include only what compiles fast") {
     CHECK(listed(heavy_headers(project())) == "");
 }

@@ -186,6 +186,13 @@ TEST_CASE("a word of one compiler in a public header is reported unless the head
     CHECK(of(words_of_one_compiler, "physics/state/records.h", word).empty());
 }
 
+TEST_CASE("a test with a name that only one release of Catch2 has is reported") {
+    const std::string name = "Catch::" + std::string("Detail::Approx");
+    CHECK(of(names_of_one_catch, "tests/physics/form_test.cpp", name + "(1)\n").size() == 1);
+    CHECK(of(names_of_one_catch, "tests/include/catch.h", name + "(1)\n").empty());
+    CHECK(of(names_of_one_catch, "tests/physics/form_test.cpp", "Approx(1)\n").empty());
+}
+
 TEST_CASE("a public header of physics that includes what compiles slowly is reported") {
     const char* path = "physics/include/fettle/physics/world.h";
     CHECK(of(heavy_headers, path, "#include <functional>\n#include <vector>\n").size() == 1);

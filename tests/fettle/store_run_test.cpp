@@ -74,8 +74,7 @@ TEST_CASE("a component of a vec or a color in the store can be assigned") {
           "vec(7, 2)\tvec(3, 8)\tcolor(\"#ffff00\")\n"
           "vec(5, 6)\tvec(0, 8)\tvec(5, 6)\tvec(9, 0)\n"
           "false\teval:12: store.at: is not a vec any more\n");
-    CHECK_THAT(outcome.err,
-               Catch::Matchers::Contains("so value.y = ... writes store.at; vec(value) is a copy"));
+    CHECK_THAT(outcome.err, contains("so value.y = ... writes store.at; vec(value) is a copy"));
 }
 
 TEST_CASE("assigning a table copies it and reading gives the table in the store") {

@@ -293,12 +293,11 @@ TEST_CASE("a widget without a text is told to have a label beside it") {
     Screen s;
     CHECK_FALSE(s.runtime.run("Slider { text = 'Volume' }", "test"));
     REQUIRE(s.errors.size() == 1);
-    CHECK_THAT(s.errors[0],
-               Catch::Matchers::Contains("Slider has no property \"text\"; a Label beside it "
-                                         "shows a text: Row { Label { text = ..., grow = 1 }, "
-                                         "Slider { ... } }"));
+    CHECK_THAT(s.errors[0], contains("Slider has no property \"text\"; a Label beside it "
+                                     "shows a text: Row { Label { text = ..., grow = 1 }, "
+                                     "Slider { ... } }"));
     CHECK_FALSE(s.runtime.run("Slider { caption = 'Volume' }", "test"));
-    CHECK_THAT(s.errors[1], Catch::Matchers::Contains("a Label beside it shows a text"));
+    CHECK_THAT(s.errors[1], contains("a Label beside it shows a text"));
 }
 
 TEST_CASE_METHOD(Field, "the game does not get the keys of the clipboard") {

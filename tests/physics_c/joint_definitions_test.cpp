@@ -194,9 +194,8 @@ TEST_CASE("a definition in C whose limits cross is refused with both numbers") {
     def.lower_angle = 2;
     def.upper_angle = 1;
     CHECK(fettle_world_create_revolute_joint(world, &def, &joint) == FETTLE_INVALID);
-    CHECK_THAT(
-        fettle_last_error(),
-        Catch::Matchers::Contains("lower_angle = 2: expected at most upper_angle, which is 1"));
+    CHECK_THAT(fettle_last_error(),
+               contains("lower_angle = 2: expected at most upper_angle, which is 1"));
     CHECK(joint == 0);
     REQUIRE(fettle_world_destroy(world) == FETTLE_DONE);
 }

@@ -31,7 +31,7 @@ TEST_CASE("the error for a call with a dot in place of a colon has the right for
         "function Cat:hit(n) self.lives = self.lives - n end "
         "world.cat = Cat {} world.ball = Body {}");
     INFO(call);
-    CHECK_THAT(s.fails(call), Catch::Matchers::Contains(reported));
+    CHECK_THAT(s.fails(call), contains(reported));
 }
 
 TEST_CASE("other errors of methods have no hint about a dot or a colon") {
@@ -41,7 +41,7 @@ TEST_CASE("other errors of methods have no hint about a dot or a colon") {
     Stage s;
     s.run("world.ball = Body {}");
     INFO(call);
-    CHECK_THAT(s.fails(call), !Catch::Matchers::Contains("call it with"));
+    CHECK_THAT(s.fails(call), !contains("call it with"));
 }
 
 }  // namespace call_form_test

@@ -466,7 +466,7 @@ TEST_CASE("a class in C++ with a member that would hide a method of every instan
     odd.properties = {{.name = "children", .type = fettle::property::Type::integer}};
     (void)tree.define(odd);
     CHECK_THROWS_WITH(fettle::script::Runtime(tree, {}),
-                      Catch::Matchers::Contains("Odd.children: is a method of every instance"));
+                      contains("Odd.children: is a method of every instance"));
 }
 
 }  // namespace class_test

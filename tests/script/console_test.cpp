@@ -409,8 +409,7 @@ TEST_CASE("completion includes paths and keys and methods and enumerators") {
             CHECK(candidate.doc == "How hard it is to move.");
         }
     for (const auto& candidate : s.runtime->complete("world.ball.z", 12))
-        if (candidate.label == "z")
-            CHECK_THAT(candidate.detail, Catch::Contains("· -1e9 to 1e9 · "));
+        if (candidate.label == "z") CHECK_THAT(candidate.detail, contains("· -1e9 to 1e9 · "));
     s.run("for i = 1, 20000 do world:add(Circle {}) end");
     CHECK(completed(s, "world.ball.mas") == "world.ball.mass");
     CHECK(completed(s, "world.gravi") == "world.gravity");

@@ -110,8 +110,8 @@ TEST_CASE("a timer in real time goes on while no step is made") {
     s.runtime->advance(5);
     CHECK(s.prints("print(n)") == "4");
     CHECK_THAT(s.fails("after(1, print, { pause = false })"),
-               Catch::Matchers::Contains("after: there is no option \"pause\" (did you mean "
-                                         "\"pauses\"?)"));
+               contains("after: there is no option \"pause\" (did you mean "
+                        "\"pauses\"?)"));
 }
 
 TEST_CASE("wrong arguments name the method") {

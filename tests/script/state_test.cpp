@@ -212,9 +212,8 @@ TEST_CASE("a variable whose type state changes keeps its value and a note says s
     s.run("state('best', 'none')");
     CHECK(s.prints("print(best)") == "7");
     REQUIRE(notes.size() == 1);
-    CHECK_THAT(notes[0], Catch::Matchers::Contains(
-                             "game.best is 7 (integer) from before, and state(\"best\", ...) "
-                             "begins it as \"none\" (text) now: the old value stays"));
+    CHECK_THAT(notes[0], contains("game.best is 7 (integer) from before, and state(\"best\", ...) "
+                                  "begins it as \"none\" (text) now: the old value stays"));
 }
 
 TEST_CASE("a state that a script adds later works like the others") {

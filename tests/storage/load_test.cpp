@@ -269,7 +269,7 @@ TEST_CASE("a list of children in a section and colors beyond their range and nan
         {R"("ad_hoc": {"tint": {"color": [0, -0.5, 0]}})",
          "a color's channels are from 0 to 1, and -0.5 is not"},
     }));
-    CHECK_THROWS_WITH(w.load(scene(members)), Catch::Matchers::Contains(message));
+    CHECK_THROWS_WITH(w.load(scene(members)), contains(message));
     CHECK_THROWS_WITH(
         w.load(R"({"fettle_scene": 1, "class": "Thing", "properties": {"number": "nan"}})"),
         Catch::Matchers::EndsWith("got text \"nan\""));

@@ -75,7 +75,9 @@ class Speed : public Check {
         if (moment.step == 0) bounces_ = bounces_between_walls(moment.plan);
         if (!judged_) return {};
         time_ += moment.dt;
-        const float bound = 20 + 4 * plausible_speed(moment.plan, time_);
+        // An edit may stop a motor; what the motor has thrown flies on.
+        fastest_ = std::max(fastest_, plausible_speed(moment.plan, time_));
+        const float bound = 20 + 4 * fastest_;
         for (std::size_t i = 0; i < moment.after.size(); ++i) {
             const BodyNow& body = moment.after[i];
             if (!body.exists || body.velocity.length() <= 0.25f * bound) continue;
@@ -106,7 +108,7 @@ class Speed : public Check {
                 return false;
         return true;
     }
-    float time_ = 0;
+    float time_ = 0, fastest_ = 0;
     bool bounces_ = false, judged_ = true;
 };
 

@@ -1,6 +1,7 @@
 // No body passes through a static or kinematic body; bullets and moving bodies do not pass through
 // each other.
 
+#include <algorithm>
 #include <map>
 
 #include "report/table.h"
@@ -81,14 +82,22 @@ class Through : public Check {
         return {};
     }
 
-    /// A body that is made deep inside another one came from neither side, and a chain does not
-    /// hold what is behind it. Its crossings count only when it has been apart for some time.
+    /// A body that is made deep inside another one, or around which an obstacle is made, came from
+    /// neither side, and a chain does not hold what is behind it. Its crossings count only when it
+    /// has been apart for some time.
     void record_overlaps(const Moment& moment) {
         overlapped_.resize(moment.after.size(), -apart_time);
         for (std::size_t i = 0; i < overlapped_.size(); ++i)
-            if ((began_inside(i) || moment.plan.bodies[i].born == moment.step) &&
+            if ((began_inside(i) || is_new(int(i), moment) || touches_new(i, moment)) &&
                 (moment.after[i].deepest > 0.01f || passages_.is_around_line(int(i), moment)))
                 overlapped_[i] = time_;
+    }
+    static bool is_new(int body, const Moment& moment) {
+        return body != the_world && moment.plan.bodies[std::size_t(body)].born == moment.step;
+    }
+    static bool touches_new(std::size_t body, const Moment& moment) {
+        return std::ranges::any_of(moment.after[body].touched,
+                                   [&](int other) { return is_new(other, moment); });
     }
     bool began_inside(std::size_t body) const { return time_ - overlapped_[body] < apart_time; }
 

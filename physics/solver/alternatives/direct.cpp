@@ -58,6 +58,15 @@ class DirectSolver {
             if (extra.restitution > 0.0f) return true;
         return false;
     }
+    /// Several impacts in a step, each with the speed of its approach, may give back more energy
+    /// than they took. Appends the bodies of all that bounce.
+    void list_bouncing(std::vector<uint32_t>& slots) const {
+        for (const ContactConstraint& c : constraints_) {
+            if (c.extra == 0 || !(extras_[c.extra - 1].restitution > 0.0f)) continue;
+            for (const uint32_t body : {c.a, c.b})
+                if (body != 0) slots.push_back(input_.active.awake_bodies[body - 1]);
+        }
+    }
 
   private:
     /// Every pass writes the same rows in the same order, with different numbers.
@@ -159,6 +168,7 @@ void solve_directly(const SolverInput& input, const JointStep& joint_step,
     if (!solver.anything_bounces()) return;
     solver.pass(DirectPass::bounced);
     zero_locked(input);
+    solver.list_bouncing(input.bodies.strained);
 }
 
 }  // namespace fettle::physics::detail

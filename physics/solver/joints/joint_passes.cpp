@@ -272,12 +272,13 @@ uint8_t write_constraints(const JointSource& source, JointScratch& joints, const
 
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          BodyScratch& bodies, JointScratch& joints, float h, float impulse_ratio,
-                         Solver solver, ThreadPool* threads) {
+                         float contact_hertz, Solver solver, ThreadPool* threads) {
     const JointSource source = {objects, columns, bodies};
     JointStep step;
     step.h = h;
     step.inverse_h = 1.0f / h;
     step.impulse_ratio = impulse_ratio;
+    step.contact_hertz = contact_hertz;
     use_load_settings(0, step);
     JointLists lists = {objects, active, bodies, joints, threads};
     const bool heavy = lists.make_codes();
@@ -285,9 +286,11 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     if (heavy) lists.spread_loads();
     lists.fill();
     soften_tuned(objects, joints, h);
+    bodies.strained.clear();
     const uint8_t hard = write_constraints(source, joints, step, threads);
     if ((hard & pull) != 0) raise_inertia(source, step, joints, bodies);
-    if (hard != 0) yield_to_obstacles(source, step, joints, solver);
+    if (hard != 0 || may_have_no_solution(bodies, solver))
+        yield_to_obstacles(source, step, joints, solver, bodies.strained);
     return step;
 }
 

@@ -70,7 +70,7 @@ struct JointSource {
 
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          BodyScratch& bodies, JointScratch& joints, float h, float impulse_ratio,
-                         Solver solver, ThreadPool* threads);
+                         float contact_hertz, Solver solver, ThreadPool* threads);
 /// Passes the bodies with joints to `JointShare`.
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 

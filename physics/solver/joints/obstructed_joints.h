@@ -27,16 +27,24 @@ inline bool may_be_obstructed(Vec2 force, const SolverBody& a, const SolverBody&
 /// True if a motor may push so hard. What is between it and the obstacle may be much lighter than
 /// the bodies of its joint. A torque counts by the velocity at the radius of gyration.
 inline bool may_press(const Drive& drive, const SolverBody& a, const SolverBody& b) {
-    constexpr float speed = 0.2f;  // m/s, of one sub-step
+    constexpr float speed = 0.02f;  // m/s, of one sub-step
     const auto mobility = [&](const SolverBody& body) {
         return body.inverse_mass * (drive.turns ? body.inverse_inertia : body.inverse_mass);
     };
     return drive.impulse * drive.impulse * max(mobility(a), mobility(b)) > speed * speed;
 }
 
+/// Between a rope and an obstacle that moves, or that the rope is drawn to, there may be no
+/// solution from the first step on: a ball on a lift would have to be beside its rope's hook at
+/// once. Under `direct`, whose rows yield to nothing, that took forces without bound.
+inline bool may_have_no_solution(const BodyScratch& bodies, Solver solver) {
+    return solver == Solver::direct && bodies.driven;
+}
+
 /// Limits the gaps for which joints pull and the impulses of motors, if contacts with what is fixed
 /// or kinematic bear most of them. The ends of the joints must be prepared.
+/// Appends the bodies that are held between a joint and an obstacle to `strained`.
 void yield_to_obstacles(const JointSource& source, const JointStep& step, JointScratch& joints,
-                        Solver solver);
+                        Solver solver, std::vector<uint32_t>& strained);
 
 }  // namespace fettle::physics::detail

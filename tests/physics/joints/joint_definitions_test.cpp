@@ -128,19 +128,19 @@ TEST_CASE("an invalid definition makes no joint") {
     World world;
     const Body body = add_box(world, {0, 0});
     CHECK_THROWS_WITH(world.create_wheel_joint({.body_b = body.id(), .axis = {0, 0}}),
-                      Catch::Matchers::Contains("axis"));
+                      contains("axis"));
     CHECK_THROWS_WITH(world.create_weld_joint({.body_b = body.id(), .report_force = -1}),
-                      Catch::Matchers::Contains("report_force"));
+                      contains("report_force"));
     CHECK_THROWS_WITH(world.create_gear_joint({.body_b = body.id(), .constraint_hertz = infinity}),
-                      Catch::Matchers::Contains("constraint_hertz"));
+                      contains("constraint_hertz"));
     CHECK_THROWS_WITH(
         world.create_distance_joint({.body_b = body.id(), .lower_spring_force = 1.0f}),
-        Catch::Matchers::Contains("lower_spring_force"));
+        contains("lower_spring_force"));
     CHECK_THROWS_WITH(world.create_ratchet_joint({.body_b = body.id(), .tooth = -1.0f}),
-                      Catch::Matchers::Contains("tooth"));
+                      contains("tooth"));
     CHECK_THROWS_WITH(
         world.create_weld_joint({.body_b = body.id(), .constraint_damping_ratio = 3e38f}),
-        Catch::Matchers::Contains("constraint_damping_ratio"));
+        contains("constraint_damping_ratio"));
     CHECK(world.joint_count() == 0);
 }
 

@@ -11,7 +11,6 @@
 namespace outlines_test {
 
 using namespace fettle::physics;
-using Catch::Detail::Approx;
 
 namespace {
 
