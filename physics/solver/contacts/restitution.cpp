@@ -326,7 +326,7 @@ void keep_first(std::vector<PairImpact>& impacts, std::span<const SolverBody> bo
 /// about eⁿ with the restitution e, and no less than `least_worth`.
 void solve_together(std::vector<PairImpact>& impacts, std::span<SolverBody> bodies,
                     std::span<const FirstImpact> first) {
-    constexpr int rounds_together = 12, rounds_in_all = 60;
+    constexpr int rounds_together = 48, rounds_in_all = 60;
     std::vector<PairImpact*> shared;  // Alone, an impact is exact after the first round.
     for (PairImpact& impact : impacts) {
         const ContactConstraint& c = impact.contact;
