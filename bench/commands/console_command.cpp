@@ -23,7 +23,7 @@ std::unique_ptr<app::Screen> make_screen() {
 #ifdef FETTLE_BENCH_GAMES
     if (app::display_available()) return std::make_unique<UndrawnScreen>(1280, 800);
 #endif
-    std::cerr << "there is no display: the triangles are counted only\n";
+    std::cerr << "there is no display: triangles are only counted\n";
     return nullptr;
 }
 

@@ -1,7 +1,6 @@
 #include "calls.h"
 
 #include <fettle/physics_c/keep_error.h>
-#include <fettle/property/exception_text.h>
 
 #include <new>
 #include <stdexcept>
@@ -58,7 +57,16 @@ Game& live(const fettle_hosted* hosted) {
     return *hosted->game;
 }
 
-property::Value answer_of(fettle_code code, const fettle_hosted_value& result) {
+property::Value answer_of(Game& game, std::span<const property::Value> arguments,
+                          const std::function<fettle_code(const fettle_hosted_value*, std::uint32_t,
+                                                          fettle_hosted_value*)>& call) {
+    ReturnedData given;
+    std::vector<fettle_hosted_value> passed;
+    for (const property::Value& argument : arguments) passed.push_back(given.value(argument));
+    fettle_hosted_value result{};
+    fettle_code code = FETTLE_DONE;
+    game.call_out(
+        [&] { code = call(passed.data(), static_cast<std::uint32_t>(passed.size()), &result); });
     property::Value value;
     try {
         value = value_of("the result of the function", result);

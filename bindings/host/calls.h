@@ -35,9 +35,11 @@ fettle_code outside(const char* function, const fettle_hosted* hosted, const cha
     });
 }
 
-/// Checks the result of a function of the caller. Throws std::invalid_argument with its reason
-/// unless its code is FETTLE_DONE.
-property::Value answer_of(fettle_code code, const fettle_hosted_value& result);
+/// Calls a function of the caller: `call(arguments, their count, &result)`. Throws
+/// std::invalid_argument with its reason unless its code is FETTLE_DONE.
+property::Value answer_of(Game& game, std::span<const property::Value> arguments,
+                          const std::function<fettle_code(const fettle_hosted_value*, std::uint32_t,
+                                                          fettle_hosted_value*)>& call);
 
 /// Writes the defaults of a definition.
 template <class Def>

@@ -65,16 +65,9 @@ std::vector<property::Field> fields_of(const char* what, const fettle_parameter_
 property::Result call_method(void* context, property::Tree&, property::Handle self, property::Row,
                              std::span<const property::Value> arguments) {
     const BoundMethod method = *static_cast<const BoundMethod*>(context);
-    ReturnedData given;
-    std::vector<fettle_hosted_value> passed;
-    for (const property::Value& argument : arguments) passed.push_back(given.value(argument));
-    fettle_hosted_value result{};
-    fettle_code code = FETTLE_DONE;
-    method.game->call_out([&] {
-        code = method.call(method.user, converted(self), passed.data(),
-                           static_cast<std::uint32_t>(passed.size()), &result);
+    return answer_of(*method.game, arguments, [&](auto passed, auto count, auto result) {
+        return method.call(method.user, converted(self), passed, count, result);
     });
-    return answer_of(code, result);
 }
 
 /// Removes the methods that were made for a class, unless the class was defined.
@@ -114,7 +107,7 @@ property::Method method_of(Game& game, const fettle_method_def& def) {
 /// meant to be `velocity`.
 void refuse_near_misses(const property::Tree& tree, const property::ClassDescriptor& made) {
     const property::Class* const base = tree.find_class(made.base);
-    if (base == nullptr) return;  // an error of its own
+    if (base == nullptr) return;  // the tree refuses the class
     for (const property::Property& own : made.properties)
         for (const property::Property* known : base->properties())
             if (property::misspells(own.name, own.type, known->name, known->type))

@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "../c/calls/retired.h"
 #include "calls.h"
@@ -37,16 +36,9 @@ void check(const fettle_hosted_def& def) {
 /// A function of the caller, called by scripts.
 property::Value call_function(Game& game, const Callback<fettle_function_callback>& called,
                               std::span<const property::Value> arguments) {
-    ReturnedData given;
-    std::vector<fettle_hosted_value> passed;
-    for (const property::Value& argument : arguments) passed.push_back(given.value(argument));
-    fettle_hosted_value result{};
-    fettle_code code = FETTLE_DONE;
-    game.call_out([&] {
-        code = called.function(called.user, passed.data(),
-                               static_cast<std::uint32_t>(passed.size()), &result);
+    return answer_of(game, arguments, [&](auto passed, auto count, auto result) {
+        return called.function(called.user, passed, count, result);
     });
-    return answer_of(code, result);
 }
 
 }  // namespace

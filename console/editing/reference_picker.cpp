@@ -1,7 +1,6 @@
 #include <editing/reference_picker.h>
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include <imgui.h>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include <fettle/property/drawing.h>
 #include <fettle/property/pose.h>

@@ -10,8 +10,8 @@
 #include <fettle/property/transform.h>
 #include <fettle/property/tree.h>
 
+#include <branches/present_branch.h>
 #include <look/pen.h>
-#include <observed/present_branch.h>
 #include <observed/review.h>
 
 namespace fettle::console {

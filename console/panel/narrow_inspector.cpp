@@ -2,7 +2,6 @@
 // window in place of the log.
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <panel/sizes.h>

@@ -14,8 +14,8 @@
 #include <fettle/property/tree.h>
 #include <fettle/script/observed.h>
 
+#include <branches/present_branch.h>
 #include <observed/breaks.h>
-#include <observed/present_branch.h>
 #include <observed/review.h>
 #include <observed/trace.h>
 #include <prompt/prompt.h>

@@ -10,13 +10,13 @@
 
 #include <fettle/console/console.h>
 
+#include <branches/comparison.h>
 #include <in_game/context_menu.h>
 #include <in_game/ghosts.h>
 #include <in_game/onion_skins.h>
 #include <inspector/inspector.h>
 #include <look/imgui_backend.h>
 #include <look/rect.h>
-#include <observed/comparison.h>
 #include <observed/waits.h>
 #include <panel/held_keys.h>
 #include <panel/observing.h>

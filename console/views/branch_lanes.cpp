@@ -4,7 +4,6 @@
 #include <views/time_bar.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include <look/imgui_compat.h>
 #include <look/theme.h>

@@ -1,7 +1,6 @@
 #include <views/compare_view.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <string>
 

@@ -7,9 +7,9 @@
 
 #include <fettle/property/tree.h>
 
+#include <branches/comparison.h>
 #include <look/pen.h>
 #include <look/rect.h>
-#include <observed/comparison.h>
 
 namespace fettle::console {
 

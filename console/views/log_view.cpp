@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include <fettle/property/spelling.h>
 #include <fettle/property/value.h>
 
 #include <look/theme.h>
@@ -15,19 +14,6 @@ namespace fettle::console {
 namespace {
 
 constexpr std::size_t gutter = 2;  // columns
-
-constexpr std::size_t row_indent = 4;  // cells, of the rows of a table after the first
-
-/// Whether a step of a path begins at the byte: ".name" after a name, or what follows a slash.
-bool is_step(std::string_view text, std::size_t at) {
-    const auto letter = [&](std::size_t i) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        return c == '_' || c >= 0x80 || (c | 32u) - 'a' < 26u;
-    };
-    if (at + 1 >= text.size() || at == 0) return false;
-    if (text[at] == '.') return letter(at + 1) && text[at - 1] != ' ';
-    return text[at - 1] == '/' && letter(at);
-}
 
 std::vector<Span> spans_of(const LogLine& line) {
     switch (line.kind) {
@@ -52,164 +38,12 @@ std::optional<Span> path_at(const LogLine& line, std::size_t offset) {
     return std::nullopt;
 }
 
-/// Where the last column of a table begins, if that is between `from` and `end`; otherwise `end`. A
-/// column that begins after the middle of a row is moved to the next row, because little of it
-/// would fit.
-std::size_t last_column(std::string_view text, std::size_t from, std::size_t end) {
-    const std::size_t gap = text.substr(0, end).rfind("  ");
-    if (gap == std::string_view::npos || gap < from) return end;
-    return std::min(text.find_first_not_of(' ', gap), end);
-}
-
-/// Where a row that begins at `begin` and has room up to `end` ends best: after a blank outside of
-/// brackets and texts, after another blank, before a step of a path, or at `end`. No row is less
-/// than half full.
-std::size_t break_in(std::string_view text, std::size_t begin, std::size_t end) {
-    const std::size_t half = begin + (end - begin) / 2, late = begin + (end - begin) * 2 / 3;
-    std::size_t outside = 0, blank = 0, step = 0, open = 0;
-    bool quoted = false;
-    for (std::size_t i = begin; i < end; ++i) {
-        const char c = text[i];
-        if (c == '"') quoted = !quoted;
-        if (!quoted && (c == '(' || c == '[' || c == '{')) ++open;
-        if (!quoted && (c == ')' || c == ']' || c == '}') && open > 0) --open;
-        if (c == ' ' && i > half) blank = i + 1;
-        if (c == ' ' && i > late && open == 0 && !quoted) outside = i + 1;
-        if (i > half && i > begin && is_step(text, i)) step = i;
-    }
-    return outside > 0 ? outside : blank > 0 ? blank : step > 0 ? step : end;
-}
-
 bool colored(LineKind kind) {
     return kind == LineKind::command || kind == LineKind::continuation ||
            kind == LineKind::source || kind == LineKind::output || kind == LineKind::game;
 }
 
 }  // namespace
-
-const LogLine* LogView::line(std::uint64_t number) const {
-    if (number < log_.dropped() || number - log_.dropped() >= log_.lines().size()) return nullptr;
-    return &log_.lines()[number - log_.dropped()];
-}
-
-/// Columns by which the rows after the first are indented: to the last column of a table, or, in
-/// other lines, as far as the line itself.
-std::size_t LogView::hanging_indent(std::string_view text) const {
-    const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-    std::size_t hang = begin;
-    for (std::size_t gap = text.find("  ", begin); gap != std::string_view::npos;
-         gap = text.find("  ", hang)) {
-        const std::size_t next = text.find_first_not_of(' ', gap);
-        if (next == std::string_view::npos) break;
-        const std::size_t column = cell_count(text.substr(0, next));
-        if (column > columns_ / 2) break;
-        hang = next;
-    }
-    return std::min(cell_count(text.substr(0, hang)), columns_ / 2);
-}
-
-/// Adds a row with the part of a line of carets that lies below a row of its source line.
-void LogView::mark_row(std::uint64_t number, const Row& source) {
-    const LogLine* found = line(number);
-    if (found == nullptr || found->kind != LineKind::caret) return;
-    const std::string_view code = line(source.line)->text;
-    const std::size_t from = cell_count(code.substr(0, source.begin));
-    const std::size_t to =
-        source.end == code.size() ? found->text.size() : cell_count(code.substr(0, source.end));
-    const std::size_t first = found->text.find('^');
-    const std::size_t begin = std::min(from, found->text.size());
-    const std::size_t end = std::min(to, found->text.size());
-    if (first >= end || begin >= found->text.size()) return;
-    rows_.push_back({number, begin, end, begin == 0, source.indent});
-}
-
-/// Breaks a part of a line. `part`: its first row if it did not need more than one; `hang`: how far
-/// the others are indented.
-void LogView::wrap_part(std::uint64_t number, const LogLine& whole, Row part, std::size_t hang) {
-    const std::string_view text = std::string_view(whole.text).substr(0, part.end);
-    const std::size_t first = part.begin;
-    do {
-        const std::size_t wide = columns_ - part.indent;
-        part.end = part.begin + cell_offset(text.substr(part.begin), wide);
-        if (part.end < text.size()) {
-            const std::size_t column = last_column(text, part.begin + wide / 2, part.end);
-            if (column < part.end) {
-                part.end = column;
-                if (part.begin == first) hang = std::min(hang + 2, columns_ / 2);
-            } else {
-                part.end = break_in(text, part.begin, part.end);
-            }
-        }
-        rows_.push_back(part);
-        if (whole.kind == LineKind::source) mark_row(number + 1, Row(rows_.back()));
-        part = {number, part.end, text.size(), false, hang};
-    } while (part.begin < text.size());
-}
-
-/// Breaks the row of a table. All its rows break before the same cells, so that their columns stay
-/// columns.
-void LogView::wrap_cells(std::uint64_t number, const LogLine& whole) {
-    const LogTable& table = *whole.table;
-    const std::size_t count = whole.cells.size();
-    const auto offset = [&](std::size_t cell) {
-        return cell < count ? std::min(whole.cells[cell], whole.text.size()) : whole.text.size();
-    };
-    const auto end_of = [&](std::size_t cell) {
-        return cell + 1 < table.begins.size() ? table.begins[cell + 1] - LogTable::gap : table.end;
-    };
-    for (std::size_t from = 0, indent = 0; from < count; indent = row_indent) {
-        std::size_t to = from + 1;
-        while (to < count && end_of(to) - table.begins[from] + indent <= columns_) ++to;
-        // Without the blanks in front of the next cell.
-        const std::size_t last =
-            std::string_view(whole.text).substr(0, offset(to)).find_last_not_of(' ');
-        const std::size_t begin = offset(from), end = std::max(begin, last + 1);
-        if (from == 0 || begin < end)
-            wrap_part(number, whole, {number, begin, end, from == 0, indent},
-                      std::min(indent + row_indent, columns_ / 2));
-        from = to;
-    }
-}
-
-void LogView::wrap_line(std::uint64_t number, const LogLine& whole) {
-    // Carets are added below the row with the place that they mark.
-    if (whole.kind == LineKind::caret) return;
-    if (whole.table && whole.cells.size() == whole.table->begins.size())
-        return wrap_cells(number, whole);
-    // Two blanks in code do not separate columns.
-    const bool is_code = whole.kind == LineKind::command || whole.kind == LineKind::continuation ||
-                         whole.kind == LineKind::source;
-    const std::size_t blanks = std::min(whole.text.find_first_not_of(' '), whole.text.size());
-    wrap_part(number, whole, {number, 0, whole.text.size(), true},
-              is_code ? std::min(blanks, columns_ / 2) : hanging_indent(whole.text));
-}
-
-void LogView::filter(std::string_view text) {
-    if (text == filter_) return;
-    filter_ = text;
-    columns_ = 0;  // all lines are wrapped again
-}
-
-/// Ignores case, and finds whole numbers, too. A fold passes, because one of its hidden lines may.
-bool LogView::passes(const LogLine& whole) const {
-    if (filter_.empty() || whole.kind == LineKind::fold) return true;
-    return property::contains_ignoring_case(whole.text, filter_) ||
-           (!whole.numbers.empty() && property::contains_ignoring_case(whole.whole(), filter_));
-}
-
-void LogView::wrap(std::size_t columns) {
-    if (columns != columns_ || rearranged_ != log_.rearranged()) {
-        rows_.clear();
-        columns_ = columns;
-        wrapped_ = log_.dropped();
-        if (rearranged_ != log_.rearranged()) selection_.reset();
-        rearranged_ = log_.rearranged();
-    }
-    while (!rows_.empty() && rows_.front().line < log_.dropped()) rows_.pop_front();
-    wrapped_ = std::max(wrapped_, log_.dropped());
-    for (; const LogLine* next = line(wrapped_); ++wrapped_)
-        if (passes(*next)) wrap_line(wrapped_, *next);
-}
 
 void LogView::draw(float height, float cell) {
     float line_height = ImGui::GetTextLineHeightWithSpacing();
@@ -220,15 +54,16 @@ void LogView::draw(float height, float cell) {
     }
     ImGui::BeginChild("log", ImVec2(0, height));
     float width = ImGui::GetWindowWidth() - ImGui::GetStyle().ScrollbarSize;
-    const std::size_t columns = columns_;
-    wrap(static_cast<std::size_t>(std::max(8.0f, std::floor(width / cell) - gutter)));
-    if (columns != columns_ || line_height != line_height_ || height != height_)
+    const std::size_t columns = rows_.columns();
+    if (rows_.wrap(static_cast<std::size_t>(std::max(8.0f, std::floor(width / cell) - gutter))))
+        selection_.reset();
+    if (columns != rows_.columns() || line_height != line_height_ || height != height_)
         reshaped_to_ = place_after_reshaping(line_height, height);
     height_ = height;
 
     ImVec2 origin = ImGui::GetCursorScreenPos();
     if (reshaped_to_) origin.y += ImGui::GetScrollY() - *reshaped_to_;
-    float total = static_cast<float>(rows_.size()) * line_height;
+    float total = static_cast<float>(rows_.all().size()) * line_height;
     // A few lines are placed at the bottom, next to the prompt.
     float slack = std::max(0.0f, height - total);
     origin.y += slack;
@@ -238,14 +73,18 @@ void LogView::draw(float height, float cell) {
     auto first = static_cast<std::ptrdiff_t>((top - origin.y) / line_height);
     auto last = static_cast<std::ptrdiff_t>((top + height - origin.y) / line_height) + 1;
     for (auto i = std::max<std::ptrdiff_t>(0, first);
-         i < std::min(last, static_cast<std::ptrdiff_t>(rows_.size())); ++i)
-        draw_row(rows_[static_cast<std::size_t>(i)],
+         i < std::min(last, static_cast<std::ptrdiff_t>(rows_.all().size())); ++i)
+        draw_row(rows_.all()[static_cast<std::size_t>(i)],
                  ImVec2(origin.x, origin.y + static_cast<float>(i) * line_height), line_height,
                  cell);
-    if (const std::ptrdiff_t topmost = std::lround((top - origin.y) / line_height); !rows_.empty())
-        top_ = rows_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-                         topmost, 0, static_cast<std::ptrdiff_t>(rows_.size()) - 1))]
-                   .line;
+    if (!rows_.all().empty()) {
+        const auto topmost =
+            static_cast<std::ptrdiff_t>(std::lround((top - origin.y) / line_height));
+        const auto count = static_cast<std::ptrdiff_t>(rows_.all().size());
+        top_ =
+            rows_.all()[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(topmost, 0, count - 1))]
+                .line;
+    }
     at_end_ = reshaped_to_ ? at_end_ : ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1;
     scroll(line_height);
     cell_ = cell;
@@ -271,8 +110,8 @@ std::optional<ImU32> color_at(std::string_view text, const Span& span) {
 
 }  // namespace
 
-void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell) {
-    const LogLine* found = line(row.line);
+void LogView::draw_row(const LogRow& row, ImVec2 at, float line_height, float cell) {
+    const LogLine* found = rows_.line(row.line);
     if (found == nullptr) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_selection(row, at, line_height, cell);
@@ -306,7 +145,7 @@ void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell)
         if (const auto swatch = color_at(text, span); swatch && x > from)
             list.AddRectFilled(ImVec2(from, at.y + line_height - swatch_height),
                                ImVec2(x, at.y + line_height), *swatch);
-        bool hovered = hovering_link_ && link_line_ == row.line && link_.begin == span.begin;
+        bool hovered = link_.hovered && link_.line == row.line && link_.span.begin == span.begin;
         if (hovered && x > from) {
             float y = std::round(at.y + ImGui::GetTextLineHeight()) - 1;
             list.AddLine(ImVec2(from, y), ImVec2(x, y), palette::path);
@@ -317,14 +156,14 @@ void LogView::draw_row(const Row& row, ImVec2 at, float line_height, float cell)
         draw_text(list, ImVec2(x + cell, at.y), palette::faint, "×" + std::to_string(found->count));
 }
 
-void LogView::draw_selection(const Row& row, ImVec2 at, float line_height, float cell) {
+void LogView::draw_selection(const LogRow& row, ImVec2 at, float line_height, float cell) {
     if (!selecting()) return;
     auto [from, to] = std::minmax(selection_->from, selection_->to);
     if (to.line < row.line || from.line > row.line) return;
     std::size_t begin = from.line < row.line ? row.begin : std::max(from.offset, row.begin);
     std::size_t end = to.line > row.line ? row.end : std::min(to.offset, row.end);
     if (begin > end || (begin == end && to.line == row.line)) return;
-    std::string_view text = line(row.line)->text;
+    std::string_view text = rows_.line(row.line)->text;
     auto column = [&](std::size_t offset) {
         return static_cast<float>(gutter + row.indent +
                                   cell_count(text.substr(row.begin, offset - row.begin)));
@@ -336,11 +175,11 @@ void LogView::draw_selection(const Row& row, ImVec2 at, float line_height, float
 }
 
 LogView::Point LogView::point_at(std::ptrdiff_t index, float column) const {
-    auto count = static_cast<std::ptrdiff_t>(rows_.size());
-    if (index < 0 || count == 0) return {count == 0 ? 0 : rows_.front().line, 0};
-    if (index >= count) return {rows_.back().line, rows_.back().end};
-    const Row& row = rows_[static_cast<std::size_t>(index)];
-    const LogLine* found = line(row.line);
+    auto count = static_cast<std::ptrdiff_t>(rows_.all().size());
+    if (index < 0 || count == 0) return {count == 0 ? 0 : rows_.all().front().line, 0};
+    if (index >= count) return {rows_.all().back().line, rows_.all().back().end};
+    const LogRow& row = rows_.all()[static_cast<std::size_t>(index)];
+    const LogLine* found = rows_.line(row.line);
     if (found == nullptr) return {row.line, 0};
     std::string_view text = std::string_view(found->text).substr(row.begin, row.end - row.begin);
     auto cells = static_cast<std::size_t>(std::max(0.0f, column - static_cast<float>(row.indent)));
@@ -348,21 +187,20 @@ LogView::Point LogView::point_at(std::ptrdiff_t index, float column) const {
 }
 
 std::string_view LogView::pointed_link() const {
-    const LogLine* const found = hovering_link_ ? line(link_line_) : nullptr;
-    if (found == nullptr || link_.end > found->text.size()) return {};
-    return std::string_view(found->text).substr(link_.begin, link_.end - link_.begin);
+    const LogLine* const found = link_.hovered ? rows_.line(link_.line) : nullptr;
+    const auto& [begin, end, token] = link_.span;
+    if (found == nullptr || end > found->text.size()) return {};
+    return std::string_view(found->text).substr(begin, end - begin);
 }
 
 bool LogView::hover(Point point) {
-    const LogLine* found = line(point.line);
+    const LogLine* found = rows_.line(point.line);
     if (found == nullptr) return false;
     if (const std::optional<Span> span = path_at(*found, point.offset)) {
         const std::string_view path =
             std::string_view(found->text).substr(span->begin, span->end - span->begin);
         if (is_link && is_link(path)) {
-            hovering_link_ = true;
-            link_line_ = point.line;
-            link_ = *span;
+            link_ = {.line = point.line, .span = *span, .hovered = true};
             ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
             if (ImGui::IsMouseClicked(1) && menu) menu(path);
         }
@@ -389,14 +227,14 @@ bool LogView::hover(Point point) {
 }
 
 void LogView::select_word(Point point) {
-    if (const LogLine* found = line(point.line))
+    if (const LogLine* found = rows_.line(point.line))
         for (const Span& span : highlight_output(found->text))
             if (point.offset >= span.begin && point.offset < span.end)
                 selection_ = Selection{{point.line, span.begin}, {point.line, span.end}};
 }
 
 void LogView::follow_path(Point point) {
-    const LogLine* found = line(point.line);
+    const LogLine* found = rows_.line(point.line);
     if (found == nullptr || !follow) return;
     if (const std::optional<Span> span = path_at(*found, point.offset))
         follow(found->text.substr(span->begin, span->end - span->begin),
@@ -408,8 +246,8 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
     auto row = static_cast<std::ptrdiff_t>(std::floor((at.y - origin.y) / line_height));
     float column = (at.x - origin.x) / cell - static_cast<float>(gutter);
     bool hovered = ImGui::IsItemHovered();
-    hovering_link_ = false;
-    bool on_text = row >= 0 && row < static_cast<std::ptrdiff_t>(rows_.size()) && column >= 0;
+    link_.hovered = false;
+    bool on_text = row >= 0 && row < static_cast<std::ptrdiff_t>(rows_.all().size()) && column >= 0;
     if (hovered && on_text && !dragging_ && hover(point_at(row, column))) return;
     Point caret = point_at(row, column + 0.5f);  // between the characters nearest to the mouse
     if (hovered && ImGui::IsMouseClicked(0)) {
@@ -427,21 +265,12 @@ void LogView::mouse(ImVec2 origin, float line_height, float cell) {
     }
 }
 
-std::vector<std::string> LogView::shown_rows() const {
-    std::vector<std::string> all;
-    for (const Row& row : rows_)
-        if (const LogLine* found = line(row.line))
-            all.push_back(std::string(row.indent, ' ') +
-                          found->text.substr(row.begin, row.end - row.begin));
-    return all;
-}
-
 std::string LogView::selected() const {
     std::string out;
     if (!selecting()) return out;
     auto [from, to] = std::minmax(selection_->from, selection_->to);
     for (std::uint64_t number = from.line; number <= to.line; ++number) {
-        const LogLine* found = line(number);
+        const LogLine* found = rows_.line(number);
         if (found == nullptr) continue;
         std::size_t begin = number == from.line ? std::min(from.offset, found->text.size()) : 0;
         std::size_t end = number == to.line ? to.offset : found->text.size();

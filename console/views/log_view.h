@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,12 +13,13 @@
 
 #include <text/highlight.h>
 #include <text/log.h>
+#include <text/log_rows.h>
 
 namespace fettle::console {
 
 class LogView {
   public:
-    explicit LogView(const Log& log) : log_(log) {}
+    explicit LogView(const Log& log) : log_(log), rows_(log) {}
 
     /// Whether a path in the text leads to something; called only for the one under the mouse.
     std::function<bool(std::string_view path)> is_link;
@@ -35,7 +35,7 @@ class LogView {
     /// Fills the window down to `height`. `cell`: width of a character in pixels.
     void draw(float height, float cell);
     /// Shows only lines that contain the text; "" shows all.
-    void filter(std::string_view text);
+    void filter(std::string_view text) { rows_.filter(text); }
     void scroll_pages(float pages) { pages_ += pages; }
     void scroll_to_end() { stick_ = true; }
     /// Makes the line with this number the topmost one, as far as the lines below it allow.
@@ -46,7 +46,7 @@ class LogView {
     std::string selected() const;
 
     /// All rows as text, from the first column after the signs.
-    std::vector<std::string> shown_rows() const;
+    std::vector<std::string> shown_rows() const { return rows_.texts(); }
 
     // Sizes of the last drawing, in pixels.
     float cell() const { return cell_; }
@@ -61,13 +61,6 @@ class LogView {
     std::string_view pointed_link() const;
 
   private:
-    bool passes(const LogLine& whole) const;
-    struct Row {
-        std::uint64_t line;      // number of the line since the beginning
-        std::size_t begin, end;  // bytes of the line
-        bool first;              // the first row of its line
-        std::size_t indent = 0;  // columns; rows after the first begin below the text of a column
-    };
     struct Point {
         std::uint64_t line = 0;
         std::size_t offset = 0;
@@ -76,12 +69,12 @@ class LogView {
     struct Selection {
         Point from, to;  // in the order of selection; `from` may be after `to`
     };
-    void wrap(std::size_t columns);
-    void wrap_line(std::uint64_t number, const LogLine& line);
-    void wrap_cells(std::uint64_t number, const LogLine& line);
-    void wrap_part(std::uint64_t number, const LogLine& line, Row part, std::size_t hang);
-    std::size_t hanging_indent(std::string_view text) const;
-    void mark_row(std::uint64_t number, const Row& source);
+    /// The link that was under the mouse last.
+    struct Link {
+        std::uint64_t line = 0;
+        Span span{0, 0, Token::plain};
+        bool hovered = false;  // it still is
+    };
     void scroll(float line_height);
     void follow_output(float line_height);
     std::optional<float> place_after_reshaping(float line_height, float height);
@@ -93,17 +86,12 @@ class LogView {
     void select_word(Point point);
     /// Calls `follow` for a path at that point.
     void follow_path(Point point);
-    void draw_row(const Row& row, ImVec2 at, float line_height, float cell);
-    void draw_selection(const Row& row, ImVec2 at, float line_height, float cell);
+    void draw_row(const LogRow& row, ImVec2 at, float line_height, float cell);
+    void draw_selection(const LogRow& row, ImVec2 at, float line_height, float cell);
     Point point_at(std::ptrdiff_t row, float column) const;
-    const LogLine* line(std::uint64_t number) const;
 
     const Log& log_;
-    std::string filter_;
-    std::deque<Row> rows_;
-    std::size_t columns_ = 0;
-    std::uint64_t wrapped_ = 0;  // lines with smaller numbers have rows
-    std::uint64_t rearranged_ = 0;
+    LogRows rows_;
     std::optional<Selection> selection_;
     bool dragging_ = false;
     float pages_ = 0;
@@ -116,10 +104,7 @@ class LogView {
     bool at_end_ = true;
     float cell_ = 0, line_height_ = 0, height_ = 0, scrolled_ = 0;
     ImVec2 text_end_{0, 0};
-    // The link under the mouse.
-    std::uint64_t link_line_ = 0;
-    Span link_{0, 0, Token::plain};
-    bool hovering_link_ = false;
+    Link link_{};
 };
 
 }  // namespace fettle::console

@@ -2,7 +2,6 @@
 #include <views/overlay_bar.h>
 
 #include <array>
-#include <cmath>
 
 #include <fettle/script/reference.h>
 

@@ -14,8 +14,8 @@
 #include <fettle/console/interpreter.h>
 #include <fettle/property/tree.h>
 
+#include <branches/branches.h>
 #include <look/rect.h>
-#include <observed/branches.h>
 #include <observed/time_marks.h>
 #include <views/playing_back.h>
 

@@ -1,7 +1,6 @@
 #include <views/watch_list.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <look/fields.h>

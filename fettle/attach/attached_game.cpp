@@ -9,7 +9,7 @@
 #include <cstring>
 #include <utility>
 
-#include <command_line/end_request.h>
+#include <ending/end_request.h>
 #include <files/game_path.h>
 
 namespace fettle::program {

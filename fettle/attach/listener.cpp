@@ -15,8 +15,8 @@
 
 #include <attach/protocol.h>
 #include <attach/socket_address.h>
-#include <command_line/terminal.h>
 #include <files/game_path.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 namespace {

@@ -9,7 +9,7 @@
 #include <fettle/property/spelling.h>
 
 #include <command_line/joined.h>
-#include <command_line/terminal.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

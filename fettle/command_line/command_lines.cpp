@@ -8,8 +8,8 @@
 #include <iostream>
 #include <utility>
 
-#include <command_line/end_request.h>
-#include <command_line/terminal.h>
+#include <ending/end_request.h>
+#include <terminal/terminal.h>
 
 #ifdef FETTLE_WITH_CONSOLE
 #include <fettle/console/console.h>

@@ -10,7 +10,7 @@
 
 #include <fettle/script/runtime.h>
 
-#include <command_line/line_editor.h>
+#include <terminal/line_editor.h>
 
 namespace fettle::program {
 

@@ -3,11 +3,11 @@
 
 #include <attach/attached_game.h>
 #include <command_line/command_lines.h>
-#include <command_line/end_request.h>
-#include <command_line/exit_status.h>
-#include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <ending/end_request.h>
+#include <ending/exit_status.h>
 #include <files/game_path.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <fettle/script/reference.h>
 
-#include <command_line/exit_status.h>
 #include <command_line/subcommand.h>
-#include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <ending/exit_status.h>
 #include <files/game_path.h>
 #include <session/session.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

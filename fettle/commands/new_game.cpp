@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,16 +13,16 @@
 #include <fettle/property/text_hash.h>
 #include <fettle/script/reference.h>
 
-#include <command_line/exit_status.h>
 #include <command_line/for_shell.h>
 #include <command_line/joined.h>
 #include <command_line/subcommand.h>
-#include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <ending/exit_status.h>
 #include <files/dashed_name.h>
 #include <files/draft.h>
 #include <files/game_path.h>
 #include <session/session.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

@@ -5,12 +5,11 @@
 
 #include <fettle/property/storage/game_settings.h>
 
-#include <command_line/exit_status.h>
 #include <command_line/for_shell.h>
 #include <command_line/joined.h>
 #include <command_line/subcommand.h>
-#include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <ending/exit_status.h>
 #include <files/dashed_name.h>
 #include <files/game_path.h>
 #include <files/packed_game.h>
@@ -19,6 +18,7 @@
 #include <packing/folder_and_deb.h>
 #include <packing/package_problems.h>
 #include <packing/scene_problems.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

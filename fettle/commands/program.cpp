@@ -7,15 +7,15 @@
 #include <fettle/property/exception_text.h>
 
 #include <command_line/arguments.h>
-#include <command_line/crash_report.h>
-#include <command_line/exit_guard.h>
-#include <command_line/exit_status.h>
 #include <command_line/subcommand.h>
-#include <command_line/terminal.h>
 #include <command_line/version.h>
 #include <commands/commands.h>
+#include <ending/crash_report.h>
+#include <ending/exit_guard.h>
+#include <ending/exit_status.h>
 #include <files/file_errors.h>
 #include <files/game_path.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 namespace {

@@ -14,13 +14,13 @@
 
 #include <command_line/answer.h>
 #include <command_line/command_lines.h>
-#include <command_line/end_request.h>
-#include <command_line/exit_status.h>
 #include <command_line/subcommand.h>
-#include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <ending/end_request.h>
+#include <ending/exit_status.h>
 #include <files/game_path.h>
 #include <session/session.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 namespace {

@@ -10,10 +10,10 @@
 #include <fettle/app/recording.h>
 #include <fettle/app/screen.h>
 
-#include <command_line/end_request.h>
-#include <command_line/exit_status.h>
 #include <command_line/joined.h>
 #include <commands/run_steps.h>
+#include <ending/end_request.h>
+#include <ending/exit_status.h>
 #include <files/game_path.h>
 #include <files/recorded_files.h>
 #include <files/settings.h>

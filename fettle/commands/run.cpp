@@ -7,15 +7,15 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/path.h>
 
-#include <command_line/end_request.h>
-#include <command_line/exit_status.h>
 #include <command_line/subcommand.h>
-#include <command_line/turn_limit.h>
 #include <commands/commands.h>
 #include <commands/gallery.h>
 #include <commands/replay_run.h>
 #include <commands/run_arguments.h>
 #include <commands/run_steps.h>
+#include <ending/end_request.h>
+#include <ending/exit_status.h>
+#include <ending/turn_limit.h>
 #include <files/archive.h>
 #include <files/game_path.h>
 #include <files/settings.h>

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <command_line/arguments.h>
-#include <command_line/terminal.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

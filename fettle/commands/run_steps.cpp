@@ -8,9 +8,9 @@
 
 #include <fettle/property/exception_text.h>
 
-#include <command_line/end_request.h>
-#include <command_line/terminal.h>
+#include <ending/end_request.h>
 #include <game/game_modules.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

@@ -8,7 +8,7 @@
 #include <fettle/app/screen.h>
 #include <fettle/script/runtime.h>
 
-#include <command_line/exit_status.h>
+#include <ending/exit_status.h>
 #include <game/run_options.h>
 #include <session/session.h>
 

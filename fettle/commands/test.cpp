@@ -6,13 +6,13 @@
 
 #include <fettle/property/storage/scene.h>
 
-#include <command_line/end_request.h>
-#include <command_line/exit_guard.h>
-#include <command_line/exit_status.h>
 #include <command_line/subcommand.h>
-#include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <ending/end_request.h>
+#include <ending/exit_guard.h>
+#include <ending/exit_status.h>
 #include <files/game_path.h>
+#include <terminal/terminal.h>
 #include <testing/junit.h>
 #include <testing/test_run.h>
 

@@ -3,13 +3,13 @@
 
 #include <fettle/property/storage/tweaks.h>
 
-#include <command_line/exit_status.h>
 #include <command_line/subcommand.h>
-#include <command_line/terminal.h>
 #include <commands/commands.h>
+#include <ending/exit_status.h>
 #include <files/archive.h>
 #include <files/game_path.h>
 #include <files/settings.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

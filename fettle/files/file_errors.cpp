@@ -6,9 +6,9 @@
 #include <fettle/module/plugin.h>
 #include <fettle/property/storage/game_files.h>
 
-#include <command_line/exit_status.h>
-#include <command_line/terminal.h>
+#include <ending/exit_status.h>
 #include <files/game_path.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

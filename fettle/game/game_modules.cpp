@@ -1,6 +1,5 @@
 #include <game/game_modules.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 

@@ -5,9 +5,9 @@
 
 #include <fettle/app/error_screen.h>
 
-#include <command_line/terminal.h>
 #include <session/console_layer.h>
 #include <session/session.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

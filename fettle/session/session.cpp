@@ -9,8 +9,7 @@
 #include <fettle/property/formula_problems.h>
 
 #include <command_line/answer.h>
-#include <command_line/exit_status.h>
-#include <command_line/terminal.h>
+#include <ending/exit_status.h>
 #include <files/archive.h>
 #include <files/game_path.h>
 #include <files/recorded_files.h>
@@ -19,6 +18,7 @@
 #include <session/console_layer.h>
 #include <session/exports.h>
 #include <session/game_window.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

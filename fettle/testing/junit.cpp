@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include <command_line/terminal.h>
 #include <files/game_path.h>
+#include <terminal/terminal.h>
 
 namespace fettle::program {
 

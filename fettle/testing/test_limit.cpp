@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <ctime>
 
-#include <command_line/crash_report.h>
-#include <command_line/exit_status.h>
+#include <ending/crash_report.h>
+#include <ending/exit_status.h>
 
 namespace fettle::program {
 

@@ -10,8 +10,8 @@
 #include <fettle/app/screen.h>
 #include <fettle/property/exception_text.h>
 
-#include <command_line/crash_report.h>
-#include <command_line/end_request.h>
+#include <ending/crash_report.h>
+#include <ending/end_request.h>
 #include <files/game_path.h>
 #include <session/session.h>
 #include <testing/test_limit.h>

@@ -7,8 +7,8 @@
 
 #include <fettle/module/plugin.h>
 
-#include "class_bridge.h"
-#include "host_table.h"
+#include "bridge/class_bridge.h"
+#include "bridge/host_table.h"
 #include "shared_object.h"
 
 namespace fettle::module {

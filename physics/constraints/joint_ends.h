@@ -70,9 +70,9 @@ struct JointEnds {
     Vec2 apart;             ///< center of mass of b minus that of a at the start of the step
     float angle = 0.0f;     ///< of b relative to a at the start of the step
     Vec2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
-    float share = 1.0f;         ///< of its mass, with which it pushes: solver/crowded_joints.h
+    float share = 1.0f;  ///< of its mass, with which it pushes: solver/joints/crowded_joints.h
     /// A length or a translation that is wrong by more counts as wrong by this, m. See
-    /// solver/obstructed_joints.h.
+    /// solver/joints/obstructed_joints.h.
     float greatest_error = infinity;
     /// The greatest impulse in a sub-step of a row that holds a length and yields, N s.
     float greatest_pull = infinity;
@@ -87,7 +87,7 @@ struct JointEnds {
     }
     float bounded_error(float error) const { return clamp(error, -greatest_error, greatest_error); }
     /// What a rigid row of 60 Hz bears for the greatest error in a sub-step, N s. Without an
-    /// obstacle it has no limit: only such rows pass an impact on (solver/joint_response.h).
+    /// obstacle it has no limit: only such rows pass an impact on (solver/joints/joint_response.h).
     float greatest_impulse(float mass, float h) const {
         constexpr float rate = 60.0f * two_pi<float>;
         return greatest_error < infinity ? mass * rate * rate * greatest_error * h : infinity;

@@ -1,7 +1,7 @@
 #include <collision/collide_solids.h>
 #include <collision/covered_outline.h>
 #include <contacts/flush_shapes.h>
-#include <contacts/overlaps.h>
+#include <contacts/overlaps/overlaps.h>
 #include <state/limits.h>
 
 namespace fettle::physics::detail {

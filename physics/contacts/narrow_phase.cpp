@@ -3,8 +3,8 @@
 #include <contacts/kept_manifold.h>
 #include <contacts/moving_point.h>
 #include <contacts/narrow_phase.h>
+#include <contacts/overlaps/wedged_bodies.h>
 #include <contacts/pairs.h>
-#include <contacts/wedged_bodies.h>
 #include <geometry/make_room.h>
 #include <state/active_lists.h>
 #include <state/limits.h>

@@ -1,7 +1,7 @@
 // Begin and end of touches, and their events.
 
 #include <contacts/contact_list.h>
-#include <contacts/crushed_bodies.h>
+#include <contacts/overlaps/crushed_bodies.h>
 #include <contacts/reports.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <checks/arguments.h>
 #include <constraints/joint_rows.h>
-#include <solver/direct_row.h>
+#include <solver/joints/direct_row.h>
 
 // Parts of several types of joints: settings, and the constraints along one free coordinate (an
 // angle or a translation). These are a spring to a target, a motor that drives a velocity with a

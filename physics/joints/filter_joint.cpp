@@ -1,6 +1,6 @@
 #include <joints/joint_handle.h>
 #include <joints/joint_types.h>
-#include <solver/direct_row.h>
+#include <solver/joints/direct_row.h>
 
 // Prevents collisions of two bodies: contacts/filter.cpp reads the joint. A step never lists such a
 // joint (`JointRecord::moves`), so it has no constraint.

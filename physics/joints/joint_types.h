@@ -1,8 +1,8 @@
 #pragma once
 
-#include <solver/geometric_stiffness.h>
-#include <solver/joint_passes.h>
-#include <solver/obstructed_joints.h>
+#include <solver/joints/geometric_stiffness.h>
+#include <solver/joints/joint_passes.h>
+#include <solver/joints/obstructed_joints.h>
 
 #include <cmath>
 #include <memory>

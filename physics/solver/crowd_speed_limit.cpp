@@ -9,9 +9,9 @@
 // made to overlap may be unable to part in the direction of the push. Then the contact and the
 // joints press against each other with hundreds of weights, and the bodies slip aside faster and
 // faster. A push explains no more than the push speed, so such a contact does not act until the
-// shapes have parted: the joints have priority (contacts/held_open.h).
+// shapes have parted: the joints have priority (contacts/overlaps/held_open.h).
 
-#include <contacts/wedged_bodies.h>
+#include <contacts/overlaps/wedged_bodies.h>
 #include <solver/free_motion.h>
 
 #include <algorithm>

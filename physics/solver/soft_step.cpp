@@ -1,8 +1,8 @@
 #include <solver/accounting.h>
-#include <solver/contact_solver.h>
-#include <solver/joint_passes.h>
-#include <solver/joint_response.h>
-#include <solver/lanes_of_rows.h>
+#include <solver/contacts/contact_solver.h>
+#include <solver/contacts/lanes_of_rows.h>
+#include <solver/joints/joint_passes.h>
+#include <solver/joints/joint_response.h>
 #include <solver/motion.h>
 #include <solver/solvers.h>
 #include <state/limits.h>

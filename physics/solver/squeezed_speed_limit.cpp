@@ -7,7 +7,7 @@
 // touches too, so the same holds for the bodies that it threw. Momentum is not kept there; the
 // presser has none to lose.
 
-#include <solver/contacts_of_bodies.h>
+#include <solver/contacts/contacts_of_bodies.h>
 #include <solver/free_motion.h>
 #include <state/joint_kind.h>
 #include <state/limits.h>

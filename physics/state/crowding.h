@@ -2,8 +2,8 @@
 
 #include <state/world_state.h>
 
-// Which bodies many joints may crowd: solver/crowded_joints.h. What decides about it changes by
-// edits only, so a step computes nothing for the other bodies.
+// Which bodies many joints may crowd: solver/joints/crowded_joints.h. What decides about it changes
+// by edits only, so a step computes nothing for the other bodies.
 
 namespace fettle::physics::detail {
 

@@ -72,7 +72,7 @@ struct Pull {
 
 /// What the force of a joint may concern. Bits.
 enum HardPush : uint8_t {
-    pull = 1,  ///< solver/geometric_stiffness.h and solver/obstructed_joints.h
+    pull = 1,  ///< solver/joints/geometric_stiffness.h and solver/joints/obstructed_joints.h
     press = 2  ///< only the latter: a strong motor, or a rope that is too long
 };
 

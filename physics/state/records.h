@@ -263,8 +263,9 @@ inline bool usual_forms(const ShapeForm& a, const ShapeForm& b) {
 enum class Skipped : uint8_t {
     no,
     by_callback,  ///< in this step
-    crushed,      ///< until the shapes part: contacts/crushed_bodies.h, contacts/held_open.h
-    wedged        ///< while another contact of the bodies opposes it: contacts/wedged_bodies.h
+    crushed,      ///< until the shapes part: contacts/overlaps/crushed_bodies.h,
+                  ///< contacts/overlaps/held_open.h
+    wedged  ///< while another contact of the bodies opposes it: contacts/overlaps/wedged_bodies.h
 };
 
 /// A pair of shapes whose fat boxes overlap. The slots of awake contacts are listed.

@@ -43,8 +43,8 @@ struct PairScratch {
     std::vector<Tree::NodePair> parts_of_walk;
     std::vector<CollidedPiece> collided;
     std::vector<ContactRecord> parted;  ///< last touches of parts of outlines that ended
-    /// Contacts whose bodies are pressed into each other (contacts/wedged_bodies.h); after the
-    /// solver, those in which joints have priority.
+    /// Contacts whose bodies are pressed into each other (contacts/overlaps/wedged_bodies.h); after
+    /// the solver, those in which joints have priority.
     std::vector<uint32_t> pressed;
 
     FETTLE_SCRATCH(PairScratch, s.relocated, s.new_pairs, s.spare_pairs, s.found_pairs, s.finds,
@@ -107,7 +107,7 @@ struct JointScratch {
     static constexpr size_t loads = 3;
     /// Behind them: the joints with a stiffness of their own.
     static constexpr size_t tuned = loads;
-    /// The joints of bodies that have many: solver/crowded_joints.h.
+    /// The joints of bodies that have many: solver/joints/crowded_joints.h.
     static constexpr size_t crowded = tuned + 1;
     static constexpr size_t classes = crowded + 1;
     std::array<JointArray, classes * joint_type_count> joint_arrays;  ///< by class, then by type
@@ -134,7 +134,7 @@ struct SingleContacts {
     std::vector<ContactExtra> extras;
     std::vector<RollingContact> rolling_contacts;
     NodeRanges nodes;
-    std::vector<uint8_t> flags;    ///< of the same contacts: solver/serial_contacts.cpp
+    std::vector<uint8_t> flags;    ///< of the same contacts: solver/contacts/serial_contacts.cpp
     std::vector<Relaxed> relaxed;  ///< of the same contacts: in the last relax pass
 
     FETTLE_SCRATCH(SingleContacts, s.acting, s.constraints, s.extras, s.rolling_contacts, s.nodes,

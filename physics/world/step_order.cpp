@@ -1,13 +1,13 @@
 #include <checks/hooks.h>
-#include <contacts/crushed_bodies.h>
-#include <contacts/held_open.h>
 #include <contacts/narrow_phase.h>
+#include <contacts/overlaps/crushed_bodies.h>
+#include <contacts/overlaps/held_open.h>
 #include <contacts/pairs.h>
 #include <contacts/reports.h>
 #include <schedule/schedule.h>
 #include <solver/accounting.h>
-#include <solver/joint_passes.h>
-#include <solver/serial_contacts.h>
+#include <solver/contacts/serial_contacts.h>
+#include <solver/joints/joint_passes.h>
 #include <solver/solvers.h>
 #include <state/member_list.h>
 #include <step/finish.h>

@@ -47,10 +47,10 @@ TEST_CASE("a forbidden include of a room is reported with file and line") {
                               "physics/solver/island.h"});
     CHECK(verdict("physics/attic/hull.cpp", "vector") ==
           Violations{"physics/attic/hull.cpp: lies in no room of physics"});
-    CHECK(verdict("framework/script/lua/budget.cpp", "../objects/instance.h") ==
-          Violations{"framework/script/lua/budget.cpp:1: lua may not include "
+    CHECK(verdict("framework/script/limits/budget.cpp", "../objects/instance.h") ==
+          Violations{"framework/script/limits/budget.cpp:1: limits may not include "
                      "framework/script/objects/instance.h"});
-    CHECK(verdict("framework/script/objects/instance.cpp", "../lua/budget.h").empty());
+    CHECK(verdict("framework/script/objects/instance.cpp", "../limits/budget.h").empty());
     CHECK(verdict("console/panel.cpp", "vector").empty());
 }
 

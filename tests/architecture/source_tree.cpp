@@ -38,7 +38,7 @@ bool SourceFile::is_cmake() const {
 }
 
 bool SourceFile::is_public_header() const {
-    // `fettle_physics.h` is all of an interface in C, included without a folder; so is the other.
+    // Each interface in C is also one header that is included without a folder.
     return is_header() && (path.find("/include/fettle/") != std::string::npos ||
                            path.ends_with("/include/fettle_physics.h") ||
                            path.ends_with("/include/fettle_host.h"));

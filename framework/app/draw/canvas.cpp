@@ -35,10 +35,7 @@ Canvas::Canvas(sf::RenderTarget& target) : target_(target) {
 // --- A frame -------------------------------------------------------------------------------------
 
 void Canvas::begin(Color background) {
-    strip_.clear();
-    quads_.clear();
-    last_quads_ = 0;
-    source_ = nullptr;
+    batch_.clear();
     collected_.parts.clear();
     polyline_.points.clear();
     reset_state();
@@ -122,7 +119,7 @@ void Canvas::flush() {
 }
 
 void Canvas::draw_strip() {
-    if (strip_.empty() && quads_.empty()) return;
+    if (batch_.empty()) return;
     const State& s = state();
     const Vec2 size(static_cast<double>(width()), static_cast<double>(height()));
     const Vec2 lower = s.clipped ? s.clip_lower.max({0, 0}).min(size) : Vec2(0, 0);
@@ -132,32 +129,30 @@ void Canvas::draw_strip() {
     const float right = edge(upper.x), bottom = edge(upper.y);
     if (right > left && bottom > top) {
         set_clip(left, top, right, bottom);
-        const sf::Texture& texture = source_ ? *source_ : atlas_.texture();
-        if (s.blend == property::Blend::multiply) multiply_by_opacity(strip_);
-        if (s.blend == property::Blend::multiply) multiply_by_opacity(quads_);
-        if (!strip_.empty()) draw(strip_, sf::PrimitiveType::TriangleStrip, texture, s.blend);
+        const sf::Texture& texture = batch_.texture ? *batch_.texture : atlas_.texture();
+        if (s.blend == property::Blend::multiply) multiply_by_opacity(batch_.strip);
+        if (s.blend == property::Blend::multiply) multiply_by_opacity(batch_.quads);
+        if (!batch_.strip.empty())
+            draw(batch_.strip, sf::PrimitiveType::TriangleStrip, texture, s.blend);
         const PixelBox clip{static_cast<int>(left), static_cast<int>(top), static_cast<int>(right),
                             static_cast<int>(bottom)};
-        if (!quads_.empty() && !draw_quads_here(texture, s.blend, clip))
-            draw(quads_, sfml::quads, texture, s.blend);
+        if (!batch_.quads.empty() && !draw_quads_here(texture, s.blend, clip))
+            draw(batch_.quads, sfml::quads, texture, s.blend);
     }
-    strip_.clear();
-    quads_.clear();
-    last_quads_ = 0;
-    source_ = nullptr;
+    batch_.clear();
 }
 
-/// Draws `quads_` on the processor, and their picture at once. False if that is not possible, or if
-/// it would take longer than the renderer of OpenGL.
+/// Draws `batch_.quads` on the processor, and their picture at once. False if that is not possible,
+/// or if it would take longer than the renderer of OpenGL.
 bool Canvas::draw_quads_here(const sf::Texture& texture, Blend blend, const PixelBox& clip) {
-    if (quads_.size() < 1000 || blend == Blend::multiply) return false;
+    if (batch_.quads.size() < 1000 || blend == Blend::multiply) return false;
     const TexelRows texels = pictures_.texels(texture);
     if (texels.rgba == nullptr) return false;
-    raster_.measure(quads_, clip);
+    raster_.measure(batch_.quads, clip);
     if (!raster_.is_faster()) return false;
     if (raster_.box().width() == 0 || raster_.box().height() == 0) return true;
     const bool adds = blend == Blend::add;
-    raster_.draw(quads_, texels, adds);
+    raster_.draw(batch_.quads, texels, adds);
     const PixelBox& box = raster_.box();
     // With one texture, the renderer would wait for the picture before.
     sf::Texture& drawn = drawn_here_[next_drawn_here_++ % drawn_here_.size()];
@@ -261,23 +256,23 @@ CanvasVertex Canvas::plain(sf::Vector2f position, sf::Color color) const {
 CanvasVertex* Canvas::start_strip(std::size_t count, sf::Vector2f first,
                                   const sf::Texture* texture) {
     if (texture == nullptr) texture = shade_.texture();
-    const bool fits = texture == nullptr
-                          ? source_ == &atlas_.texture() || pictures_.has_white(source_)
-                          : source_ == texture;
-    if (!fits || !quads_.empty()) {
+    const bool fits = texture == nullptr ? batch_.texture == &atlas_.texture() ||
+                                               pictures_.has_white(batch_.texture)
+                                         : batch_.texture == texture;
+    if (!fits || !batch_.quads.empty()) {
         draw_strip();
-        source_ = texture == nullptr ? &atlas_.texture() : texture;
+        batch_.texture = texture == nullptr ? &atlas_.texture() : texture;
     }
-    last_quads_ = 0;
-    const std::size_t size = strip_.size();
+    batch_.last_quads = 0;
+    const std::size_t size = batch_.strip.size();
     if (size == 0) {
-        strip_.resize(count);
-        return strip_.data();
+        batch_.strip.resize(count);
+        return batch_.strip.data();
     }
-    strip_.resize(size + 2 + count);
-    strip_[size] = strip_[size - 1];
-    strip_[size + 1] = plain(first, sf::Color::Transparent);
-    return strip_.data() + size + 2;
+    batch_.strip.resize(size + 2 + count);
+    batch_.strip[size] = batch_.strip[size - 1];
+    batch_.strip[size + 1] = plain(first, sf::Color::Transparent);
+    return batch_.strip.data() + size + 2;
 }
 
 void Canvas::add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch, sf::Color color) {
@@ -297,30 +292,31 @@ void Canvas::add_quad(sf::Vector2f lower, sf::Vector2f upper, const Patch& patch
 /// figures around them.
 void Canvas::add_quad(const CanvasVertex (&corners)[4], const sf::Texture& texture) {
     constexpr std::size_t enough = 64;
-    if (!quads_.empty() && source_ == &texture) {
-        quads_.insert(quads_.end(), {corners[0], corners[1], corners[3], corners[2]});
+    if (!batch_.quads.empty() && batch_.texture == &texture) {
+        batch_.quads.insert(batch_.quads.end(), {corners[0], corners[1], corners[3], corners[2]});
         return;
     }
-    const std::size_t before = source_ == &texture ? last_quads_ : 0;
+    const std::size_t before = batch_.texture == &texture ? batch_.last_quads : 0;
     CanvasVertex* out = start_strip(4, {corners[0].x, corners[0].y}, &texture);
     std::copy_n(corners, 4, out);
-    last_quads_ = before + 1;
-    if (sfml::has_quads && last_quads_ == enough) begin_quads();
+    batch_.last_quads = before + 1;
+    if (sfml::has_quads && batch_.last_quads == enough) begin_quads();
 }
 
-/// Draws the strip up to the quads at its end, which become the first of `quads_`.
+/// Draws the strip up to the quads at its end, which become the first of `batch_.quads`.
 void Canvas::begin_quads() {
     constexpr std::size_t joined = 6;  // vertices of a quad with those that join it
-    const std::size_t count = last_quads_, length = joined * count - 2;
-    const std::vector<CanvasVertex> last(strip_.end() - static_cast<std::ptrdiff_t>(length),
-                                         strip_.end());
-    const sf::Texture* const texture = source_;
-    const std::size_t rest = strip_.size() - length;
-    strip_.resize(rest > 2 ? rest - 2 : 0);
+    const std::size_t count = batch_.last_quads, length = joined * count - 2;
+    const std::vector<CanvasVertex> last(batch_.strip.end() - static_cast<std::ptrdiff_t>(length),
+                                         batch_.strip.end());
+    const sf::Texture* const texture = batch_.texture;
+    const std::size_t rest = batch_.strip.size() - length;
+    batch_.strip.resize(rest > 2 ? rest - 2 : 0);
     draw_strip();
-    source_ = texture;
+    batch_.texture = texture;
     for (std::size_t i = 0; i < count; ++i)
-        for (const std::size_t corner : {0, 1, 3, 2}) quads_.push_back(last[joined * i + corner]);
+        for (const std::size_t corner : {0, 1, 3, 2})
+            batch_.quads.push_back(last[joined * i + corner]);
 }
 
 // --- A layer's triangles -------------------------------------------------------------------------

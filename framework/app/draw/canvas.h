@@ -13,6 +13,7 @@
 #include <fettle/property/painter.h>
 
 #include <draw/atlas.h>
+#include <draw/batch.h>
 #include <draw/canvas_vertex.h>
 #include <draw/pictures.h>
 #include <draw/quad_raster.h>
@@ -127,7 +128,7 @@ class Canvas : public property::Painter, public Surface {
     void draw_any_outline(const property::Paint& paint);
     void draw_disc(sf::Vector2f center, float radius, sf::Color color);
     void draw_rings(bool filled);
-    void draw_inside(Area::Rule rule, sf::Color color);  // of area_
+    void draw_inside(Area::Rule rule, sf::Color color);  // of the area in scratch_
     void draw_border(const BorderRings& rim, std::span<const Bend> bends, bool closed);
 
     // --- In parts.cpp
@@ -170,20 +171,21 @@ class Canvas : public property::Painter, public Surface {
     // brings back draw nothing.
     mutable property::Transform to_pixels_{};
     mutable bool has_to_pixels_ = false;
-    const sf::Texture* source_ = nullptr;  // texture of strip_
-    std::vector<CanvasVertex> strip_{};    // one strip; degenerate triangles join the figures
-    std::vector<CanvasVertex> quads_{};    // instead of a strip; four corners each, in a circle
-    std::size_t last_quads_ = 0;           // at the end of strip_, with nothing between them
+    Batch batch_{};
     Outline outline_{};
     std::vector<sf::Vector2f> corners_{};
     /// The type of the straight sides of corners_. `touching`: no gap may show between this figure
     /// and its neighbors, such as tiles. `free`: the figure has its exact width, such as a line.
     enum class Edge : std::uint8_t { touching, free };
-    Edge edge_ = Edge::free;             // type of corners_
-    std::vector<sf::Vector2f> rings_{};  // rings of outline_, one after another, outermost first
-    std::array<sf::Color, 4> ring_colors_{};
-    Area area_{};
-    std::vector<Trapezoid> trapezoids_{};
+    Edge edge_ = Edge::free;  // type of corners_
+    /// What the drawing of one figure needs. Kept for its memory.
+    struct Scratch {
+        std::vector<sf::Vector2f> rings{};  // of outline_, one after another, outermost first
+        std::array<sf::Color, 4> ring_colors{};
+        Area area{};
+        std::vector<Trapezoid> trapezoids{};
+    };
+    Scratch scratch_{};
     std::uint64_t whole_ = 0;  // of the figures that are drawn now; 0: of none
     /// Parts of one whole with the same paint, to be drawn together.
     struct Collected {

@@ -205,14 +205,14 @@ void Canvas::draw_outline(const Paint& paint) {
     const float limit = outline_.depth_limit();
     const auto within = [limit](float depth) { return std::min(depth, limit); };
     const sf::Color fill = native(paint.fill);
-    rings_.clear();
+    scratch_.rings.clear();
     const auto ring = [&](float depth, sf::Color color) {
-        outline_.ring(depth, rings_);
-        ring_colors_[rings_.size() / outline_.size() - 1] = color;
+        outline_.ring(depth, scratch_.rings);
+        scratch_.ring_colors[scratch_.rings.size() / outline_.size() - 1] = color;
     };
     const auto halo = [&](sf::Color color) {
-        outline_.halo(rings_);
-        ring_colors_[0] = clear(color);
+        outline_.halo(scratch_.rings);
+        scratch_.ring_colors[0] = clear(color);
     };
     // An opaque color up to the outline that fades only outside of it leaves no gap where two
     // figures touch.
@@ -268,24 +268,25 @@ bool Canvas::draw_sides(sf::Color fill) {
     return true;
 }
 
-/// Draws the strips between neighboring rings of rings_, and the inside of the innermost ring.
+/// Draws the strips between neighboring rings of scratch_.rings, and the inside of the innermost
+/// ring.
 void Canvas::draw_rings(bool filled) {
     const std::size_t n = outline_.size();
-    const std::size_t count = rings_.size() / n;
+    const std::size_t count = scratch_.rings.size() / n;
     for (std::size_t r = 0; r + 1 < count; ++r) {
-        const sf::Vector2f* outer = rings_.data() + r * n;
+        const sf::Vector2f* outer = scratch_.rings.data() + r * n;
         const sf::Vector2f* inner = outer + n;
         CanvasVertex* out = start_strip(2 * (n + 1), outer[0]);
         for (std::size_t i = 0; i <= n; ++i) {
             const std::size_t at = i == n ? 0 : i;
-            *out++ = plain(outer[at], ring_colors_[r]);
-            *out++ = plain(inner[at], ring_colors_[r + 1]);
+            *out++ = plain(outer[at], scratch_.ring_colors[r]);
+            *out++ = plain(inner[at], scratch_.ring_colors[r + 1]);
         }
     }
     if (!filled || n < 3) return;
     // A convex polygon as one strip: zigzag from one end to the other.
-    const sf::Vector2f* inside = rings_.data() + (count - 1) * n;
-    const sf::Color color = ring_colors_[count - 1];
+    const sf::Vector2f* inside = scratch_.rings.data() + (count - 1) * n;
+    const sf::Color color = scratch_.ring_colors[count - 1];
     CanvasVertex* out = start_strip(n, inside[0]);
     *out++ = plain(inside[0], color);
     for (std::size_t low = 1, high = n - 1; low <= high; ++low, --high) {
@@ -301,10 +302,10 @@ void Canvas::draw_any_outline(const Paint& paint) {
     const BorderRings rim =
         outline_.goes_round_once() ? BorderRings::inside(paint) : BorderRings::on_both_sides(paint);
     if (rim.fill.a > 0) {
-        rings_.clear();
-        outline_.ring(rim.depth, rings_);
-        area_.clear();
-        area_.add(rings_);
+        scratch_.rings.clear();
+        outline_.ring(rim.depth, scratch_.rings);
+        scratch_.area.clear();
+        scratch_.area.add(scratch_.rings);
         draw_inside(outline_.goes_round_once() ? Area::Rule::forward : Area::Rule::any_way,
                     rim.fill);
     }
@@ -312,9 +313,9 @@ void Canvas::draw_any_outline(const Paint& paint) {
 }
 
 void Canvas::draw_inside(Area::Rule rule, sf::Color color) {
-    trapezoids_.clear();
-    area_.cut(rule, 0, static_cast<int>(height()), trapezoids_);
-    for (const Trapezoid& t : trapezoids_) {
+    scratch_.trapezoids.clear();
+    scratch_.area.cut(rule, 0, static_cast<int>(height()), scratch_.trapezoids);
+    for (const Trapezoid& t : scratch_.trapezoids) {
         CanvasVertex* out = start_strip(4, {t.top_left, t.top});
         *out++ = plain({t.top_left, t.top}, color);
         *out++ = plain({t.top_right, t.top}, color);

@@ -23,9 +23,9 @@ bool Canvas::is_collected(const Paint& paint) {
 }
 
 void Canvas::collect() {
-    rings_.clear();
-    outline_.ring(0, rings_);
-    collected_.parts.add(rings_);
+    scratch_.rings.clear();
+    outline_.ring(0, scratch_.rings);
+    collected_.parts.add(scratch_.rings);
 }
 
 void Canvas::draw_collected() {
@@ -43,11 +43,11 @@ void Canvas::draw_collected() {
 
 void Canvas::draw_joined(const BorderRings& rim) {
     if (rim.fill.a > 0) {
-        area_.clear();
+        scratch_.area.clear();
         for (std::size_t i = 0; i < collected_.parts.size(); ++i) {
-            rings_.clear();
-            collected_.parts.contour(i, rim.depth, rings_);
-            area_.add(rings_);
+            scratch_.rings.clear();
+            collected_.parts.contour(i, rim.depth, scratch_.rings);
+            scratch_.area.add(scratch_.rings);
         }
         draw_inside(Area::Rule::forward, rim.fill);
     }

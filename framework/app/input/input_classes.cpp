@@ -135,43 +135,44 @@ Property trigger(State::GamepadAxis& trigger) {
             .transient = true};
 }
 
-Property gamepad_button(State::GamepadButton& button) {
-    return {.name = "button_" + button.name,
+/// `reported`: the name in callbacks.
+Property button_property(std::string name, const std::string& reported, property::Binding binding) {
+    return {.name = std::move(name),
             .type = Type::boolean,
             .default_value = false,
             .doc =
                 "Whether the button is held down. Setting it presses or releases it: "
                 "gamepad_pressed or gamepad_released is called with \"" +
-                button.name + "\".",
-            .binding = accessor(
-                button,
-                [](State::GamepadButton& b, Row row) {
-                    return bool{b.state->gamepads[row].buttons[b.index]};
-                },
-                [](State::GamepadButton& b, Row row, const Value& down) {
-                    b.state->press_raw(b.state->gamepads[row], b.index, down.boolean());
-                }),
+                reported + "\".",
+            .binding = std::move(binding),
             .transient = true};
+}
+
+Property gamepad_button(State::GamepadButton& button) {
+    return button_property("button_" + button.name, button.name,
+                           accessor(
+                               button,
+                               [](State::GamepadButton& b, Row row) {
+                                   return bool{b.state->gamepads[row].buttons[b.index]};
+                               },
+                               [](State::GamepadButton& b, Row row, const Value& down) {
+                                   b.state->press_raw(b.state->gamepads[row], b.index,
+                                                      down.boolean());
+                               }));
 }
 
 Property named_button(State::NamedButton& button) {
     const std::string name(gamepad_button_names[button.index]);
-    return {.name = name,
-            .type = Type::boolean,
-            .default_value = false,
-            .doc =
-                "Whether the button is held down. Setting it presses or releases it: "
-                "gamepad_pressed or gamepad_released is called with \"" +
-                name + "\".",
-            .binding = accessor(
-                button,
-                [](State::NamedButton& b, Row row) {
-                    return bool{b.state->gamepads[row].named[b.index]};
-                },
-                [](State::NamedButton& b, Row row, const Value& down) {
-                    b.state->press_named(b.state->gamepads[row], b.index, down.boolean());
-                }),
-            .transient = true};
+    return button_property(name, name,
+                           accessor(
+                               button,
+                               [](State::NamedButton& b, Row row) {
+                                   return bool{b.state->gamepads[row].named[b.index]};
+                               },
+                               [](State::NamedButton& b, Row row, const Value& down) {
+                                   b.state->press_named(b.state->gamepads[row], b.index,
+                                                        down.boolean());
+                               }));
 }
 
 Property mapping_property(State& state) {

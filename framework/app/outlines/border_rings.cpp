@@ -1,7 +1,6 @@
 #include <outlines/border_rings.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace fettle::app {
 

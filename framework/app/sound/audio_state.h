@@ -117,6 +117,10 @@ void define_sources(Audio::State& state);
 void define_synth(Audio::State& state);
 void define_voice(Audio::State& state);
 
+/// The parameter of the methods `stop`, and its value.
+property::Field fade_parameter();
+double fade_of(std::span<const property::Value> arguments);
+
 /// Sets the parameters of a synth to those of a preset; throws std::invalid_argument with the
 /// nearest name if there is none of that name.
 void set_preset(Audio::State& state, property::Handle synth, const std::string& name);

@@ -26,15 +26,6 @@ State& state_of(void* context) {
     return *static_cast<State*>(context);
 }
 
-const property::Field fade_parameter{.name = "fade",
-                                     .type = Type::number,
-                                     .unit = "s",
-                                     .doc = "How long it takes to fade, 0 to 1000. 0: none."};
-
-double fade_of(Arguments arguments) {
-    return arguments[0].is_nil() ? 0 : arguments[0].number();
-}
-
 // --- audio
 
 Property voices_of_audio(State& state) {
@@ -214,7 +205,7 @@ Method play_method(State& state) {
 
 Method stop_method(State& state) {
     return {.name = "stop",
-            .parameters = {fade_parameter},
+            .parameters = {fade_parameter()},
             .doc = "Ends its voices, without `finished`.",
             .context = &state,
             .call = [](void* context, Tree& tree, Handle self, Row, Arguments arguments) -> Result {
@@ -229,6 +220,17 @@ Method stop_method(State& state) {
 
 }  // namespace
 
+property::Field fade_parameter() {
+    return {.name = "fade",
+            .type = Type::number,
+            .unit = "s",
+            .doc = "How long it takes to fade, 0 to 1000. 0: none."};
+}
+
+double fade_of(Arguments arguments) {
+    return arguments[0].is_nil() ? 0 : arguments[0].number();
+}
+
 void define_audio(State& state) {
     Tree& tree = state.tree;
     const property::Class& audio =
@@ -237,7 +239,7 @@ void define_audio(State& state) {
                      .creatable = false,
                      .properties = properties_of_audio(state),
                      .methods = {{.name = "stop",
-                                  .parameters = {fade_parameter},
+                                  .parameters = {fade_parameter()},
                                   .doc = "Ends every voice, without `finished`.",
                                   .context = &state,
                                   .call = stop_all,

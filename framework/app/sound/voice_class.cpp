@@ -100,20 +100,15 @@ void define_voice(Audio::State& state) {
     state.classes.voice = &state.tree.define(
         {.name = "Voice",
          .doc = "A Sound, Music or Synth that is playing once; `play` makes it. It ends with the "
-                "sound, "
-                "in simulation time.",
+                "sound, in simulation time.",
          .properties = properties_of_voices(),
          .methods = {{.name = "stop",
-                      .parameters = {{.name = "fade",
-                                      .type = Type::number,
-                                      .unit = "s",
-                                      .doc = "How long it takes to fade, 0 to 1000. 0: none."}},
+                      .parameters = {fade_parameter()},
                       .doc = "Ends it, without `finished`.",
                       .context = &state,
                       .call = [](void* context, Tree&, Handle self, Row,
                                  std::span<const Value> arguments) -> property::Result {
-                          static_cast<Audio::State*>(context)->stop(
-                              self, arguments[0].is_nil() ? 0 : arguments[0].number());
+                          static_cast<Audio::State*>(context)->stop(self, fade_of(arguments));
                           return Value();
                       },
                       .effect = property::Effect::tree}},

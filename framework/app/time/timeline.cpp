@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include <fettle/property/error.h>
-
 #include <time/jumps.h>
 #include <time/keyframe_compression.h>
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <fettle/property/error.h>
-#include <fettle/property/exception_text.h>
 
 namespace fettle::interface {
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <drawing/colors.h>
-
 namespace fettle::interface {
 
 using property::Color;

@@ -13,7 +13,7 @@
 
 #include "../../property/classes/class_registry.h"
 #include "../../property/values/process_data.h"
-#include "../c_values.h"
+#include "../bridge/c_values.h"
 
 namespace fettle::module {
 

@@ -13,7 +13,7 @@
 
 #include <fettle/property/tree.h>
 
-#include "../class_bridge.h"
+#include "../bridge/class_bridge.h"
 #include "stand_in_values.h"
 #include "tree_description.h"
 

@@ -9,7 +9,7 @@
 
 #include <fettle/property/tree.h>
 
-#include "../c_values.h"
+#include "../bridge/c_values.h"
 
 namespace fettle::module {
 

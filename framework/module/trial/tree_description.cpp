@@ -4,7 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "../class_bridge.h"
+#include "../bridge/class_bridge.h"
 
 namespace fettle::module {
 

@@ -6,7 +6,6 @@
 #include <set>
 
 #include <fettle/property/error.h>
-#include <fettle/property/exception_text.h>
 #include <fettle/property/snapshot_remarks.h>
 
 #include <tree/state.h>

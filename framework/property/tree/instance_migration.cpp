@@ -3,7 +3,6 @@
 #include <fettle/property/redefinition.h>
 
 #include <classes/fit_saved_value.h>
-#include <values/weight.h>
 
 #include "state.h"
 

@@ -7,9 +7,8 @@
 #include <fettle/property/pinned.h>
 #include <fettle/property/spelling.h>
 
-#include <values/weight.h>
+#include <classes/drawn_methods.h>
 
-#include "drawn_methods.h"
 #include "state.h"
 
 namespace fettle::property {

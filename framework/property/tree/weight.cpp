@@ -3,8 +3,6 @@
 #include <atomic>
 #include <utility>
 
-#include <fettle/property/exception_text.h>
-
 #include <values/weight.h>
 
 #include "state.h"

@@ -3,7 +3,7 @@
 
 #include <fettle/script/runtime.h>
 
-#include <lua/sources.h>
+#include <sources/sources.h>
 
 namespace fettle::script {
 

@@ -6,15 +6,16 @@
 
 #include <calls/error_place.h>
 #include <calls/errors.h>
-#include <lua/budget.h>
-#include <lua/call_form.h>
+#include <limits/limiters.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
+#include <lua/library_chunks.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
+#include <other_languages/other_languages.h>
+#include <sources/call_form.h>
+#include <sources/sources.h>
 #include <text/columns.h>
-#include <text/other_languages.h>
 #include <text/words.h>
 #include <values/short_text.h>
 #include <values/values.h>
@@ -113,12 +114,14 @@ std::string with_refusal(Budget& budget, std::string message) {
 // The text from the error object's `__tostring`, if it has one. `__tostring` may raise an error
 // too, and its run time is limited.
 std::optional<std::string> tostring_text(lua_State* L, int index) {
-    if (machine_of(L).budget.stopping() || luaL_getmetafield(L, index, "__tostring") == LUA_TNIL)
+    if (machine_of(L).limiters.budget.stopping() ||
+        luaL_getmetafield(L, index, "__tostring") == LUA_TNIL)
         return std::nullopt;
     lua_pushvalue(L, index < 0 ? index - 1 : index);
     std::optional<std::string> text;
-    const Budget::Scope budget(machine_of(L).budget, {.instructions = 100'000, .memory = 1 << 20});
-    machine_of(L).budget.enter(L);
+    const Budget::Scope budget(machine_of(L).limiters.budget,
+                               {.instructions = 100'000, .memory = 1 << 20});
+    machine_of(L).limiters.budget.enter(L);
     if (lua_pcall(L, 1, 1, 0) == LUA_OK && lua_type(L, -1) == LUA_TSTRING) text = string_at(L, -1);
     lua_pop(L, 1);
     return text;
@@ -217,7 +220,7 @@ void complete_message(lua_State* L, lua_State* from, int level) {
     place_from_message(error);
     std::string completed = error.message;
     if ((!by_lua || overflow) && error.line == 0) {
-        completed = with_refusal(machine_of(L).budget, completed);
+        completed = with_refusal(machine_of(L).limiters.budget, completed);
         if (completed == error.message) completed.insert(0, position(L));
     }
     std::string hint = hint_for_value(error.message);
@@ -233,7 +236,7 @@ void complete_message(lua_State* L, lua_State* from, int level) {
 }
 
 int placing_handler(lua_State* L) {
-    if (!machine_of(L).budget.stopping()) complete_message(L, L, 1);
+    if (!machine_of(L).limiters.budget.stopping()) complete_message(L, L, 1);
     return 1;
 }
 
@@ -241,7 +244,7 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
     ScriptError error;
     lua_checkstack(from, 8);
     error.message = error_text(from, index);
-    error.message = with_refusal(machine.budget, std::move(error.message));
+    error.message = with_refusal(machine.limiters.budget, std::move(error.message));
     if (machine.errors.thread_error && machine.errors.thread_error->message == error.message) {
         // The error comes from a coroutine and was described there.
         error = std::move(*machine.errors.thread_error);
@@ -270,7 +273,7 @@ ScriptError describe_error(Machine& machine, lua_State* L, int level, lua_State*
 
 ScriptError bare_error(Machine& machine, std::string message) {
     ScriptError error;
-    error.message = with_refusal(machine.budget, std::move(message));
+    error.message = with_refusal(machine.limiters.budget, std::move(message));
     place_from_message(error);
     error.source_line = machine.sources.line(error.file, error.line);
     shorten_source(error);

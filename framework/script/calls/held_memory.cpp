@@ -17,8 +17,8 @@ class Measure {
   public:
     Measure(lua_State* L, Machine& machine) : L_(L), machine_(machine) {
         luaL_checkstack(L, 4 * deepest_value + 8, "a function's memory");
-        if (machine.counted.set == 0) make_set();
-        push_registry(L, machine.counted.set);
+        if (machine.lua.counted.set == 0) make_set();
+        push_registry(L, machine.lua.counted.set);
         set_ = lua_gettop(L);
     }
     ~Measure() { lua_settop(L_, set_ - 1); }
@@ -48,7 +48,7 @@ class Measure {
             lua_pushboolean(L_, 1);
             lua_rawset(L_, -3);
         }
-        machine_.counted.set = luaL_ref(L_, LUA_REGISTRYINDEX);
+        machine_.lua.counted.set = luaL_ref(L_, LUA_REGISTRYINDEX);
     }
 
     bool is_new(int index) {
@@ -65,8 +65,8 @@ class Measure {
     std::size_t text(int index) {
         const std::size_t size = lua_rawlen(L_, index);
         const void* const address = lua_topointer(L_, index);
-        if (size < min_text || address == machine_.counted.text) return 0;
-        machine_.counted.text = address;
+        if (size < min_text || address == machine_.lua.counted.text) return 0;
+        machine_.lua.counted.text = address;
         return size + text_size;
     }
 

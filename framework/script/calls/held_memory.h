@@ -9,12 +9,6 @@ namespace fettle::script {
 
 struct Machine;
 
-/// The values that were counted already.
-struct CountedMemory {
-    int set = 0;                 // weak table in the registry: tables and functions; 0: none yet
-    const void* text = nullptr;  // the last counted text
-};
-
 /// The estimated number of bytes by which Lua's memory grows if the function at `index` is kept:
 /// the function itself, and the tables, functions and long texts in its local variables of outer
 /// functions, times `collector_pause`. Does not count values that were counted before or that the

@@ -6,15 +6,14 @@
 #include <calls/error_place.h>
 #include <calls/errors.h>
 #include <calls/protected.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/numeric_locale.h>
 #include <lua/runtime_lifetime.h>
-#include <lua/sources.h>
-#include <lua/watchdog.h>
+#include <sources/sources.h>
 #include <values/moved_lists.h>
 #include <values/recording.h>
 
@@ -92,9 +91,9 @@ class ScriptCause {
 };
 
 void add_stop(Machine& machine, ScriptError& error) {
-    error.message = machine.budget.reason();
-    error.file = machine.budget.file();
-    error.line = machine.budget.line();
+    error.message = machine.limiters.budget.reason();
+    error.file = machine.limiters.budget.file();
+    error.line = machine.limiters.budget.line();
     error.source_line = machine.sources.line(error.file, error.line);
     error.column = 0;
     shorten_source(error);
@@ -107,14 +106,15 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     // The runtime was destroyed: running calls end, but no new call starts.
     if (!machine.life.in_tree) return false;
     const RuntimeLifetime::Use use(machine.life);
-    const Watchdog::Call call(machine.watchdog);
+    const Watchdog::Call call(machine.limiters.watchdog);
     const NumericLocale numbers;
     std::optional<Budget::Scope> limited;
-    if (const auto limits = machine.budget.of_call()) limited.emplace(machine.budget, *limits);
+    if (const auto limits = machine.limiters.budget.of_call())
+        limited.emplace(machine.limiters.budget, *limits);
     lua_State* L = machine.lua.main;
     lua_State* outer = machine.lua.running;
     machine.lua.running = L;
-    if (machine.watchdog.outermost()) {
+    if (machine.limiters.watchdog.outermost()) {
         machine.moved_lists.forget();
         machine.recording.after_snapshot = false;
     }
@@ -131,7 +131,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     }
     machine.lua.running = outer;
     // The script may have caught the error of the budget with pcall.
-    const bool stopped = machine.budget.stopping();
+    const bool stopped = machine.limiters.budget.stopping();
     if (status == LUA_OK && !stopped) {
         lua_settop(L, top);
         return true;
@@ -139,7 +139,7 @@ bool run_protected(Machine& machine, const Context& context, int (*trampoline)(l
     if (!machine.errors.caught) {
         // Out of memory, or an error while describing an error: only a message exists.
         machine.errors.caught =
-            bare_error(machine, status == LUA_OK                 ? machine.budget.reason()
+            bare_error(machine, status == LUA_OK                 ? machine.limiters.budget.reason()
                                 : lua_type(L, -1) == LUA_TSTRING ? error_text(L, -1)
                                 : status == LUA_ERRMEM           ? "not enough memory"
                                                        : "an error that cannot be described");

@@ -14,8 +14,8 @@
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <other_languages/foreign_classes.h>
 #include <reference/language.h>
-#include <text/foreign_classes.h>
 #include <text/words.h>
 #include <values/short_text.h>
 #include <values/values.h>

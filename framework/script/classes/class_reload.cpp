@@ -9,7 +9,6 @@
 #include <classes/script_classes.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
-#include <lua/stack.h>
 #include <text/words.h>
 #include <values/members.h>
 

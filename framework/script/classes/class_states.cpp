@@ -12,11 +12,11 @@
 
 #include <calls/protected.h>
 #include <classes/script_classes.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <lua/watchdog.h>
 #include <text/words.h>
 #include <values/values.h>
 
@@ -254,7 +254,7 @@ bool ScriptClasses::step_states(double dt) {
     for (const Handle self : stepped) {
         if (!tree.alive(self) || !tree.is_below(self, tree.root())) continue;
         ok &= enter_assigned_state(self);
-        if (machine_.watchdog.stopped()) return ok;
+        if (machine_.limiters.watchdog.stopped()) return ok;
         if (!tree.alive(self)) continue;
         const Class& of = tree.class_of(self);
         const std::string state = tree.get(self, current_name).text();
@@ -266,7 +266,7 @@ bool ScriptClasses::step_states(double dt) {
                                 lua_pushnumber(L, dt);
                                 lua_call(L, 2, 0);
                             });
-        if (machine_.watchdog.stopped()) return ok;
+        if (machine_.limiters.watchdog.stopped()) return ok;
     }
     return ok;
 }

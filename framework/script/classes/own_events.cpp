@@ -5,12 +5,10 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/own_events.h>
-#include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <reference/language.h>
 #include <text/words.h>
-#include <values/short_text.h>
 #include <values/values.h>
 
 namespace fettle::script {

@@ -2,7 +2,7 @@
 
 #include <classes/reflection.h>
 #include <classes/script_classes.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <reference/reference_facts.h>
@@ -60,7 +60,7 @@ void push_list(lua_State* L, Machine& machine, const Elements& elements, Push pu
         lua_rawseti(L, -3, ++n);
         lua_setfield(L, -2, name.c_str());
     }
-    machine.budget.charge(L, 100 * elements.size());
+    machine.limiters.budget.charge(L, 100 * elements.size());
     seal_list(L, machine);
 }
 

@@ -11,16 +11,16 @@
 #include <classes/unplaced_instances.h>
 #include <handlers/connections.h>
 #include <handlers/subscriptions.h>
+#include <limits/limiters.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <lua/watchdog.h>
 #include <reference/language.h>
 #include <text/words.h>
-#include <values/declarations.h>
 #include <values/members.h>
 #include <values/values.h>
+#include <writes/declarations.h>
 
 namespace fettle::script {
 
@@ -425,7 +425,7 @@ bool ScriptClasses::call_all(const char* name, Push push) {
             push(L);
             lua_call(L, 2, 0);
         });
-        stopped = machine_.watchdog.stopped();
+        stopped = machine_.limiters.watchdog.stopped();
     }
     if (ended) forget_ended();
     return ok;

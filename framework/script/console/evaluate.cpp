@@ -23,18 +23,18 @@
 #include <handlers/function_source.h>
 #include <handlers/observed.h>
 #include <library/library.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/environment.h>
 #include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
+#include <other_languages/other_languages.h>
 #include <reference/language.h>
+#include <sources/sources.h>
 #include <text/columns.h>
 #include <text/command_words.h>
-#include <text/other_languages.h>
 #include <text/words.h>
 #include <values/recording.h>
 #include <values/short_text.h>
@@ -367,7 +367,7 @@ void run(lua_State* L, Machine& machine, std::string_view command, Evaluation& e
             lua_call(L, 0, LUA_MULTRET);
             break;
     }
-    machine.budget.check(L);  // a command that was stopped must not print results
+    machine.limiters.budget.check(L);  // a command that was stopped must not print results
     take_lines(machine, evaluation);
     const std::vector<std::string> all = separate_commands(command);
     add_results(L, machine, all.empty() ? command : std::string_view(all.back()), evaluation);
@@ -464,7 +464,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
     {
         const Session session(machine, command);
         CreatedInstances made(machine);
-        const Budget::Scope budget(machine.budget, limits(machine));
+        const Budget::Scope budget(machine.limiters.budget, limits(machine));
         const bool ok = protected_run(
             machine, "console",
             [&](lua_State* L) { run(L, machine, command, evaluation, several); }, false);
@@ -472,7 +472,7 @@ Evaluation evaluate(Machine& machine, std::string_view command) {
             evaluation.error = std::move(machine.errors.caught);
             if (evaluation.error) machine.sources.commands.name_plainly(*evaluation.error);
             machine.errors.caught.reset();
-            if (machine.life.in_tree && machine.budget.memory_exceeded())
+            if (machine.life.in_tree && machine.limiters.budget.memory_exceeded())
                 if (const std::size_t count = made.destroy(); count > 0)
                     evaluation.error->message +=
                         "; these " + std::to_string(count) + " instances are deleted again";

@@ -15,13 +15,13 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
+#include <other_languages/foreign_classes.h>
 #include <reference/language.h>
 #include <reference/reference_facts.h>
 #include <reference/signature.h>
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
 #include <text/folded_rows.h>
-#include <text/foreign_classes.h>
 #include <text/words.h>
 #include <values/values.h>
 

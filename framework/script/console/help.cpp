@@ -11,14 +11,12 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/generic_methods.h>
-#include <objects/instance_set.h>
+#include <other_languages/foreign_classes.h>
 #include <reference/language.h>
 #include <reference/reference_facts.h>
 #include <reference/signature.h>
 #include <sandbox/sandbox.h>
 #include <text/columns.h>
-#include <text/foreign_classes.h>
-#include <text/words.h>
 #include <values/members.h>
 #include <values/short_text.h>
 #include <values/values.h>

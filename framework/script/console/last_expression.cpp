@@ -2,8 +2,7 @@
 
 #include <string>
 
-#include <lua/sources.h>
-#include <lua/stack.h>
+#include <sources/sources.h>
 
 namespace fettle::script {
 

@@ -10,10 +10,10 @@
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
+#include <other_languages/foreign_classes.h>
 #include <reference/reference_facts.h>
 #include <text/columns.h>
 #include <text/folded_rows.h>
-#include <text/foreign_classes.h>
 #include <text/words.h>
 #include <values/description.h>
 #include <values/short_text.h>

@@ -3,7 +3,7 @@
 #include <calls/errors.h>
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
@@ -18,8 +18,8 @@ namespace {
 template <class Go>
 int switch_to(lua_State* L, lua_State* thread, Go go) {
     Machine& machine = machine_of(L);
-    machine.budget.enter(thread);
-    machine.budget.check(L);
+    machine.limiters.budget.enter(thread);
+    machine.limiters.budget.check(L);
     lua_State* outer = std::exchange(machine.lua.running, thread);
     const int status = go();
     machine.lua.running = outer;
@@ -38,7 +38,7 @@ int run_thread(lua_State* L, lua_State* thread, int arguments, int& results) {
         lua_pop(thread, 1);
         push_text(thread, placed);
     }
-    if (status > LUA_YIELD && machine.budget.stopping()) {
+    if (status > LUA_YIELD && machine.limiters.budget.stopping()) {
         // The thread was stopped and its hook may not be called any more, so nothing of it may run
         // again, not even __close.
         push_registry(L, machine.lua.killed);
@@ -48,7 +48,7 @@ int run_thread(lua_State* L, lua_State* thread, int arguments, int& results) {
         lua_rawset(L, -3);
         lua_pop(L, 1);
     }
-    machine.budget.check(L);
+    machine.limiters.budget.check(L);
     return status;
 }
 
@@ -73,7 +73,7 @@ const char* not_resumable(lua_State* L, lua_State* thread) {
 
 int create(lua_State* L) {
     check_function(L, 1, "coroutine.create");
-    machine_of(L).budget.charge(L, 100);
+    machine_of(L).limiters.budget.charge(L, 100);
     lua_State* thread = lua_newthread(L);
     lua_pushvalue(L, 1);
     lua_xmove(L, thread, 1);
@@ -141,7 +141,7 @@ int close_at_1(lua_State* L, const char* what) {
         return 1;
     }
     const int status = switch_to(L, thread, [&] { return lua_resetthread(thread); });
-    machine.budget.check(L);
+    machine.limiters.budget.check(L);
     if (status == LUA_OK) {
         lua_pushboolean(L, 1);
         return 1;

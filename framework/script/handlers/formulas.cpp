@@ -10,18 +10,18 @@
 #include <handlers/formulas.h>
 #include <handlers/function_source.h>
 #include <handlers/observed.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
+#include <sources/sources.h>
 #include <text/selected_name.h>
 #include <text/words.h>
 #include <values/recording.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 
@@ -50,10 +50,11 @@ class ScriptFormula {
                 "it is a function of the scripts of another tree, and is computed only there");
         const RuntimeLifetime::Use use(machine.life);
         std::optional<Budget::Scope> counted;
-        if (!machine.budget.counting())
-            counted.emplace(machine.budget, Limits{.instructions = machine.options.console_budget,
-                                                   .memory = machine.options.console_memory,
-                                                   .subject = "a formula"});
+        if (!machine.limiters.budget.counting())
+            counted.emplace(machine.limiters.budget,
+                            Limits{.instructions = machine.options.console_budget,
+                                   .memory = machine.options.console_memory,
+                                   .subject = "a formula"});
         Value result;
         const bool ok = protected_run(
             machine, "formula",

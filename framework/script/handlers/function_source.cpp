@@ -6,8 +6,8 @@
 #include <handlers/function_source.h>
 #include <lua/environment.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
+#include <sources/sources.h>
 #include <text/words.h>
 
 namespace fettle::script {

@@ -15,11 +15,10 @@
 #include <lua/host.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <text/synonyms.h>
-#include <text/words.h>
-#include <values/declarations.h>
+#include <other_languages/synonyms.h>
 #include <values/records.h>
 #include <values/values.h>
+#include <writes/declarations.h>
 
 namespace fettle::script {
 

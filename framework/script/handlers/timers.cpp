@@ -3,14 +3,13 @@
 #include <limits>
 #include <utility>
 
-#include <fettle/property/spelling.h>
-
 #include <calls/function_ref.h>
 #include <calls/held_memory.h>
 #include <calls/protected.h>
 #include <handlers/connections.h>
 #include <handlers/coroutines.h>
 #include <handlers/timers.h>
+#include <limits/limiters.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/host.h>
@@ -18,8 +17,6 @@
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
 #include <lua/stack.h>
-#include <lua/watchdog.h>
-#include <values/short_text.h>
 #include <values/values.h>
 
 namespace fettle::script {
@@ -270,7 +267,7 @@ bool Timers::run() {
             insert({next_due(due, timer.interval, end, tolerance), id}, timer);
         }
         ok &= fire(timer);
-        if (machine_.watchdog.stopped()) break;
+        if (machine_.limiters.watchdog.stopped()) break;
         entry = queue_.begin();
     }
     return ok;
@@ -287,7 +284,7 @@ bool Timers::advance_real(double seconds) {
     bool ok = true;
     for (const auto& [rest, id] : due) {
         ok &= run_real(id);
-        if (machine_.watchdog.stopped()) break;
+        if (machine_.limiters.watchdog.stopped()) break;
     }
     return ok;
 }

@@ -23,11 +23,11 @@
 #include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/instance_set.h>
 #include <reference/language.h>
 #include <sandbox/sandbox.h>
+#include <sources/sources.h>
 #include <text/words.h>
 #include <values/short_text.h>
 #include <values/values.h>
@@ -38,9 +38,8 @@ namespace {
 
 /// The console's function `member`. A replay may not have it: then nullptr. Throws in another run
 /// without a console.
-template <class Function>
-const Function* served(const Machine& machine, Function ConsoleFunctions::*member,
-                       const char* what) {
+template <class Function, class Part>
+const Function* served(const Machine& machine, Function Part::*member, const char* what) {
     const Function& function = (*machine.host.console).*member;
     if (function) return &function;
     if (!machine.options.replay.empty()) return nullptr;

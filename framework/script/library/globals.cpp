@@ -13,20 +13,20 @@
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
 #include <objects/variable_hints.h>
+#include <other_languages/foreign_classes.h>
+#include <other_languages/other_languages.h>
 #include <reference/language.h>
 #include <sandbox/sandbox.h>
+#include <sources/sources.h>
 #include <text/bare_words.h>
-#include <text/foreign_classes.h>
-#include <text/other_languages.h>
 #include <text/words.h>
-#include <values/declarations.h>
 #include <values/recording.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/declarations.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

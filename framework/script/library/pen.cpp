@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -26,7 +25,7 @@
 
 #include <library/pen.h>
 #include <library/pen_arguments.h>
-#include <lua/budget.h>
+#include <limits/budget.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>

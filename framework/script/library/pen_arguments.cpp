@@ -5,10 +5,9 @@
 #include <string>
 
 #include <library/pen.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <values/short_text.h>
 
 namespace fettle::script {
 
@@ -31,7 +30,7 @@ void check_not_below_0(double value, const char* what, const char* of) {
 }  // namespace
 
 Painter& painter(lua_State* L) {
-    machine_of(L).budget.charge_quietly(figure_charge);
+    machine_of(L).limiters.budget.charge_quietly(figure_charge);
     if (Painter* found = machine_of(L).pen.painter) return *found;
     throw Error(ErrorKind::rejected, "pen: draws only while draw(pen) is called");
 }

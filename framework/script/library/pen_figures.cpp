@@ -19,10 +19,9 @@
 #include <fettle/property/thick_line.h>
 
 #include <library/pen_arguments.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
-#include <lua/stack.h>
 
 namespace fettle::script {
 
@@ -129,7 +128,7 @@ int box(lua_State* L) {
 int polygon(lua_State* L) {
     drop_self(L);
     const std::vector<Vec2> vertices = points_at(L, 1, "pen.polygon", 3);
-    machine_of(L).budget.charge(L, pair_charge * vertices.size() * vertices.size());
+    machine_of(L).limiters.budget.charge(L, pair_charge * vertices.size() * vertices.size());
     painter(L).polygon(vertices, 0, paint_at(L, 2, "pen.polygon"));
     return 0;
 }
@@ -171,7 +170,7 @@ int line(lua_State* L) {
     drop_self(L);
     if (vec_at(L, 1) == nullptr && (lua_istable(L, 1) || list_at(L, 1) != nullptr)) {
         const std::vector<Vec2> points = points_at(L, 1, "pen.line", 2);
-        machine_of(L).budget.charge(L, points.size());
+        machine_of(L).limiters.budget.charge(L, points.size());
         const Color color = color_or(L, 2, "pen.line", {1, 1, 1, 1});
         stroke(painter(L), points, color, width_or(L, 3, "pen.line", 1.5));
         return 0;

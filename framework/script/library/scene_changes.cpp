@@ -4,7 +4,6 @@
 // because a rewind may return to a step before that barrier.
 
 #include <algorithm>
-#include <cmath>
 
 #include <fettle/property/spelling.h>
 
@@ -21,7 +20,7 @@
 #include <lua/stack.h>
 #include <text/words.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

@@ -14,12 +14,12 @@
 #include <library/scene_files.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <sandbox/sandbox.h>
-#include <values/declarations.h>
+#include <sources/sources.h>
 #include <values/short_text.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/declarations.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

@@ -14,7 +14,7 @@
 #include <reference/language.h>
 #include <text/words.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

@@ -1,7 +1,6 @@
 // snapshot(), restore(s), rewind(seconds). All three act at the next barrier between steps, in the
 // order of the calls. They affect the tree, but not Lua variables.
 
-#include <cmath>
 #include <memory>
 #include <optional>
 

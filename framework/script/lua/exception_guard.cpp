@@ -5,8 +5,8 @@
 
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
+#include <lua/library_chunks.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 
 namespace fettle::script {

@@ -13,6 +13,12 @@ namespace fettle::script {
 /// collection.
 inline constexpr int collector_pause = 400;
 
+/// The values that `held_memory` has counted already.
+struct CountedMemory {
+    int set = 0;                 // weak table in the registry: tables and functions; 0: none yet
+    const void* text = nullptr;  // the last counted text
+};
+
 struct Interpreter {
     lua_State* main = nullptr;
     lua_State* running = nullptr;       // running thread; all switches go through our functions
@@ -21,6 +27,7 @@ struct Interpreter {
     std::unordered_map<lua_CFunction, std::string> function_names;  // for error messages
     // Message of the last error about an instance that a restore has removed; "" if there was none.
     std::string gone;
+    CountedMemory counted{};
 };
 
 }  // namespace fettle::script

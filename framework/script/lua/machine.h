@@ -11,9 +11,7 @@ namespace fettle::script {
 struct Options;
 struct Interpreter;
 struct RuntimeLifetime;
-class Arena;
-class Budget;
-class Watchdog;
+struct Limiters;
 struct Environment;
 struct Sources;
 struct Host;
@@ -24,7 +22,6 @@ struct TypedFormulas;
 class MemberTables;
 class Declarations;
 struct Errors;
-struct CountedMemory;
 class Timers;
 class Tweens;
 class Connections;
@@ -40,9 +37,7 @@ struct Machine {
     const Options& options;
     Interpreter& lua;
     RuntimeLifetime& life;
-    Arena& arena;
-    Budget& budget;
-    Watchdog& watchdog;
+    Limiters& limiters;
     Environment& globals;
     Sources& sources;
     Host& host;
@@ -53,7 +48,6 @@ struct Machine {
     MemberTables& members;
     Declarations& declarations;
     Errors& errors;
-    CountedMemory& counted;
     Timers& timers;
     Tweens& tweens;
     Connections& connections;

@@ -267,36 +267,22 @@ TweenClasses define_tween_classes(Tree& tree) {
     const auto of = [](const Class& in, const char* name) -> const Property& {
         return *in.property(name);
     };
-    return {.tween = tween,
-            .group = group,
-            .holder = holder,
-            .target = of(tween, "target"),
-            .property = of(tween, "property"),
-            .from = of(tween, "from"),
-            .to = of(tween, "to"),
-            .seconds = of(tween, "seconds"),
-            .ease = of(tween, "ease"),
-            .curve = of(tween, "curve"),
-            .progress = of(tween, "progress"),
-            .paused = of(tween, "paused"),
-            .pauses = of(tween, "pauses"),
-            .loops = of(tween, "loops"),
-            .alternate = of(tween, "alternate"),
-            .turn = of(tween, "turn"),
-            .shown = of(tween, "shown"),
-            .reversed = of(tween, "reversed"),
-            .over = of(tween, "over"),
-            .finished = *tween.event("finished"),
-            .group_kind = of(group, "kind"),
-            .group_paused = of(group, "paused"),
-            .group_pauses = of(group, "pauses"),
-            .group_loops = of(group, "loops"),
-            .group_alternate = of(group, "alternate"),
-            .group_turn = of(group, "turn"),
-            .group_run_time = of(group, "run_time"),
-            .group_reversed = of(group, "reversed"),
-            .group_over = of(group, "over"),
-            .group_finished = *group.event("finished")};
+    const auto running = [&](const Class& in) -> RunningClass {
+        return {.of = in,
+                .paused = of(in, "paused"),
+                .pauses = of(in, "pauses"),
+                .loops = of(in, "loops"),
+                .alternate = of(in, "alternate"),
+                .turn = of(in, "turn"),
+                .reversed = of(in, "reversed"),
+                .over = of(in, "over"),
+                .finished = *in.event("finished")};
+    };
+    return {.tween = {running(tween), of(tween, "target"), of(tween, "property"), of(tween, "from"),
+                      of(tween, "to"), of(tween, "seconds"), of(tween, "ease"), of(tween, "curve"),
+                      of(tween, "progress"), of(tween, "shown")},
+            .group = {running(group), of(group, "kind"), of(group, "run_time")},
+            .holder = holder};
 }
 
 }  // namespace fettle::script

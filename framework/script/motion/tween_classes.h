@@ -16,12 +16,20 @@ inline constexpr const char* in_parallel = "parallel";
 /// Groups within groups beyond this depth do not run.
 inline constexpr int deepest_tweens = 32;
 
-struct TweenClasses {
-    const Class& tween;
-    const Class& group;
-    const Class& holder;
+/// What the classes Tween and TweenGroup have in common.
+struct RunningClass {
+    const Class& of;
+    const Property& paused;
+    const Property& pauses;
+    const Property& loops;
+    const Property& alternate;
+    const Property& turn;
+    const Property& reversed;
+    const Property& over;
+    const property::Event& finished;
+};
 
-    // Of a tween.
+struct TweenClass : RunningClass {
     const Property& target;
     const Property& property;
     const Property& from;
@@ -30,27 +38,18 @@ struct TweenClasses {
     const Property& ease;
     const Property& curve;
     const Property& progress;
-    const Property& paused;
-    const Property& pauses;
-    const Property& loops;
-    const Property& alternate;
-    const Property& turn;
     const Property& shown;
-    const Property& reversed;
-    const Property& over;
-    const property::Event& finished;
+};
 
-    // Of a group.
-    const Property& group_kind;
-    const Property& group_paused;
-    const Property& group_pauses;
-    const Property& group_loops;
-    const Property& group_alternate;
-    const Property& group_turn;
-    const Property& group_run_time;
-    const Property& group_reversed;
-    const Property& group_over;
-    const property::Event& group_finished;
+struct TweenGroupClass : RunningClass {
+    const Property& kind;
+    const Property& run_time;
+};
+
+struct TweenClasses {
+    TweenClass tween;
+    TweenGroupClass group;
+    const Class& holder;
 };
 
 /// How long all runs of a tween or a group take, and one run of a group, s. An endless one: a run.

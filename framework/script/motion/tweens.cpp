@@ -9,7 +9,7 @@
 #include <motion/ease.h>
 #include <motion/interpolation.h>
 #include <motion/tweens.h>
-#include <values/degree_notes.h>
+#include <writes/degree_notes.h>
 
 namespace fettle::script {
 
@@ -23,8 +23,8 @@ constexpr std::size_t most_deleted_targets = 256;
 
 std::pair<std::uint64_t, std::string> moved_by(const Tree& tree, const TweenClasses& classes,
                                                Handle tween) {
-    return {tree.get(tween, classes.target).reference().key(),
-            tree.get(tween, classes.property).text()};
+    return {tree.get(tween, classes.tween.target).reference().key(),
+            tree.get(tween, classes.tween.property).text()};
 }
 
 std::function<std::string()>& where() {
@@ -87,16 +87,16 @@ Value Tweens::require_possible(Handle target, const std::string& name, const Val
 
 void Tweens::require_valid(Handle made) const {
     const Tree& tree = machine_.tree;
-    if (!tree.class_of(made).is_a(classes_.tween)) return;
-    const std::string name = tree.get(made, classes_.property).text();
-    const Handle target = tree.get(made, classes_.target).reference();
-    const Value to = tree.get(made, classes_.to);
+    if (!tree.class_of(made).is_a(classes_.tween.of)) return;
+    const std::string name = tree.get(made, classes_.tween.property).text();
+    const Handle target = tree.get(made, classes_.tween.target).reference();
+    const Value to = tree.get(made, classes_.tween.to);
     // What is missing may be assigned later.
     if (name.empty() || !tree.alive(target)) return;
     if (to.is_nil())
         (void)tree.property(target, name);
     else
-        (void)require_possible(target, name, tree.get(made, classes_.from), to,
+        (void)require_possible(target, name, tree.get(made, classes_.tween.from), to,
                                tree.class_of(made).name());
 }
 
@@ -117,19 +117,19 @@ Handle Tweens::add(const Plan& plan) {
     if (to.is_numeric())
         note_degrees(machine_, plan.target, tree.property(plan.target, plan.property),
                      to.as_double());
-    const Handle made = make(classes_.tween);
-    tree.set(made, classes_.target, plan.target);
-    tree.set(made, classes_.property, plan.property);
-    tree.set(made, classes_.to, to);
-    tree.set(made, classes_.seconds, plan.seconds);
-    tree.set(made, classes_.ease, plan.ease);
-    tree.set(made, classes_.curve, plan.curve);
+    const Handle made = make(classes_.tween.of);
+    tree.set(made, classes_.tween.target, plan.target);
+    tree.set(made, classes_.tween.property, plan.property);
+    tree.set(made, classes_.tween.to, to);
+    tree.set(made, classes_.tween.seconds, plan.seconds);
+    tree.set(made, classes_.tween.ease, plan.ease);
+    tree.set(made, classes_.tween.curve, plan.curve);
     return made;
 }
 
 Handle Tweens::add_pause(double seconds) {
-    const Handle made = make(classes_.tween);
-    machine_.tree.set(made, classes_.seconds, seconds);
+    const Handle made = make(classes_.tween.of);
+    machine_.tree.set(made, classes_.tween.seconds, seconds);
     return made;
 }
 
@@ -137,7 +137,7 @@ bool Tweens::groupable(Handle each) const {
     const Tree& tree = machine_.tree;
     if (!tree.alive(each)) return false;
     const Class& of = tree.class_of(each);
-    if (!of.is_a(classes_.tween) && !of.is_a(classes_.group)) return false;
+    if (!of.is_a(classes_.tween.of) && !of.is_a(classes_.group.of)) return false;
     const Handle parent = tree.parent(each);
     return parent && &tree.class_of(parent) == &classes_.holder;
 }
@@ -161,8 +161,8 @@ Handle Tweens::add_group(const char* kind, const std::vector<Handle>& members) {
             throw Error(ErrorKind::out_of_range, std::string("tween.") + kind +
                                                      ": groups within groups may be " +
                                                      std::to_string(deepest_tweens) + " deep");
-    const Handle made = make(classes_.group);
-    tree.set(made, classes_.group_kind, kind);
+    const Handle made = make(classes_.group.of);
+    tree.set(made, classes_.group.kind, kind);
     for (const Handle member : members) tree.move(member, made);
     return made;
 }
@@ -183,8 +183,8 @@ std::vector<Handle> Tweens::deleted_targets() {
 
 bool Tweens::over(Handle each) const {
     const Tree& tree = machine_.tree;
-    const bool tween = tree.class_of(each).is_a(classes_.tween);
-    return tree.get(each, tween ? classes_.over : classes_.group_over).boolean();
+    const bool tween = tree.class_of(each).is_a(classes_.tween.of);
+    return tree.get(each, tween ? classes_.tween.over : classes_.group.over).boolean();
 }
 
 /// What a game adds below `game.tweens` besides tweens is left alone.
@@ -192,13 +192,13 @@ bool Tweens::running(Handle each) const {
     const Tree& tree = machine_.tree;
     if (!tree.alive(each)) return false;
     const Class& of = tree.class_of(each);
-    return of.is_a(classes_.tween) || of.is_a(classes_.group);
+    return of.is_a(classes_.tween.of) || of.is_a(classes_.group.of);
 }
 
 bool Tweens::pauses(Handle each) const {
     const Tree& tree = machine_.tree;
-    const bool tween = tree.class_of(each).is_a(classes_.tween);
-    return tree.get(each, tween ? classes_.pauses : classes_.group_pauses).boolean();
+    const bool tween = tree.class_of(each).is_a(classes_.tween.of);
+    return tree.get(each, tween ? classes_.tween.pauses : classes_.group.pauses).boolean();
 }
 
 /// `pausing`: those that pause with the game, else those in real time.
@@ -232,7 +232,7 @@ void Tweens::end(Handle each, std::string_view why) {
 
 /// The part of `dt` that is left after its end; nothing if it goes on.
 std::optional<double> Tweens::advance(Handle each, double dt, int depth) {
-    if (machine_.tree.class_of(each).is_a(classes_.group)) return advance_group(each, dt, depth);
+    if (machine_.tree.class_of(each).is_a(classes_.group.of)) return advance_group(each, dt, depth);
     try {
         return advance_tween(each, dt);
     } catch (const std::exception& error) {
@@ -245,12 +245,12 @@ std::optional<double> Tweens::advance_group(Handle group, double dt, int depth) 
     constexpr int most_runs = 64;  // in a step
     Tree& tree = machine_.tree;
     if (depth >= deepest_tweens) return std::nullopt;
-    if (tree.get(group, classes_.group_paused).boolean()) return std::nullopt;
+    if (tree.get(group, classes_.group.paused).boolean()) return std::nullopt;
     for (int run = 0; run < most_runs; ++run) {
         const std::optional<double> left = advance_run(group, dt, depth);
         if (!left) return std::nullopt;
-        const std::int64_t loops = tree.get(group, classes_.group_loops).integer();
-        const std::int64_t turn = tree.get(group, classes_.group_turn).integer() + 1;
+        const std::int64_t loops = tree.get(group, classes_.group.loops).integer();
+        const std::int64_t turn = tree.get(group, classes_.group.turn).integer() + 1;
         const std::vector<Handle> members = tree.children(group);
         const bool empty =
             std::ranges::none_of(members, [this](Handle member) { return running(member); });
@@ -258,7 +258,7 @@ std::optional<double> Tweens::advance_group(Handle group, double dt, int depth) 
             finish(group);
             return left;
         }
-        tree.set(group, classes_.group_turn, turn);
+        tree.set(group, classes_.group.turn, turn);
         begin_run(group, depth);
         // One that takes no time makes one run a step.
         if (*left <= tolerance || *left >= dt) return std::nullopt;
@@ -270,11 +270,11 @@ std::optional<double> Tweens::advance_group(Handle group, double dt, int depth) 
 /// One run of the members, or what is left of it.
 std::optional<double> Tweens::advance_run(Handle group, double dt, int depth) {
     Tree& tree = machine_.tree;
-    const bool together = tree.get(group, classes_.group_kind).text() == in_parallel;
+    const bool together = tree.get(group, classes_.group.kind).text() == in_parallel;
     const bool back = goes_back(group);
     std::vector<Handle> members = tree.children(group);
     if (back && !together) std::ranges::reverse(members);
-    const double begun = together ? tree.get(group, classes_.group_run_time).number() : 0;
+    const double begun = together ? tree.get(group, classes_.group.run_time).number() : 0;
     const double length = together && back ? seconds_of_run(tree, group) : 0;
     double left = dt;
     bool all_over = true;
@@ -293,19 +293,19 @@ std::optional<double> Tweens::advance_run(Handle group, double dt, int depth) {
         all_over &= rest.has_value();
         if (rest) left = std::min(left, *rest);
     }
-    if (together && tree.alive(group)) tree.set(group, classes_.group_run_time, begun + dt);
+    if (together && tree.alive(group)) tree.set(group, classes_.group.run_time, begun + dt);
     return all_over ? std::optional(left) : std::nullopt;
 }
 
 /// Whether the members of the group run backwards now.
 bool Tweens::goes_back(Handle group) const {
     const Tree& tree = machine_.tree;
-    const bool reversed = tree.get(group, classes_.group_reversed).boolean();
-    std::int64_t turn = tree.get(group, classes_.group_turn).integer();
+    const bool reversed = tree.get(group, classes_.group.reversed).boolean();
+    std::int64_t turn = tree.get(group, classes_.group.turn).integer();
     if (reversed)
         turn =
-            std::max<std::int64_t>(1, tree.get(group, classes_.group_loops).integer()) - 1 - turn;
-    const bool back = tree.get(group, classes_.group_alternate).boolean() && turn % 2 != 0;
+            std::max<std::int64_t>(1, tree.get(group, classes_.group.loops).integer()) - 1 - turn;
+    const bool back = tree.get(group, classes_.group.alternate).boolean() && turn % 2 != 0;
     return back != reversed;
 }
 
@@ -314,52 +314,53 @@ void Tweens::begin_run(Handle group, int depth) {
     Tree& tree = machine_.tree;
     if (depth > deepest_tweens) return;
     const bool back = goes_back(group);
-    tree.set(group, classes_.group_run_time, 0.0);
+    tree.set(group, classes_.group.run_time, 0.0);
     for (const Handle member : tree.children(group)) {
         if (!running(member)) continue;
-        if (tree.class_of(member).is_a(classes_.group)) {
-            tree.set(member, classes_.group_turn, 0);
-            tree.set(member, classes_.group_reversed, back);
-            tree.set(member, classes_.group_over, false);
+        if (tree.class_of(member).is_a(classes_.group.of)) {
+            tree.set(member, classes_.group.turn, 0);
+            tree.set(member, classes_.group.reversed, back);
+            tree.set(member, classes_.group.over, false);
             begin_run(member, depth + 1);
             continue;
         }
-        tree.set(member, classes_.turn, 0);
-        tree.set(member, classes_.progress, 0.0);
-        tree.set(member, classes_.shown, -1.0);
-        tree.set(member, classes_.reversed, back);
-        tree.set(member, classes_.over, false);
+        tree.set(member, classes_.tween.turn, 0);
+        tree.set(member, classes_.tween.progress, 0.0);
+        tree.set(member, classes_.tween.shown, -1.0);
+        tree.set(member, classes_.tween.reversed, back);
+        tree.set(member, classes_.tween.over, false);
     }
 }
 
 std::optional<double> Tweens::advance_tween(Handle tween, double dt) {
     Tree& tree = machine_.tree;
-    const bool moves = !tree.get(tween, classes_.property).text().empty();
-    const Handle moved = tree.get(tween, classes_.target).reference();
+    const bool moves = !tree.get(tween, classes_.tween.property).text().empty();
+    const Handle moved = tree.get(tween, classes_.tween.target).reference();
     if (moves && !tree.alive(moved)) {
         note_deleted(moved);
         tree.destroy(tween);
         return dt;
     }
-    const double shown = tree.get(tween, classes_.shown).number();
-    if (tree.get(tween, classes_.paused).boolean()) {
+    const double shown = tree.get(tween, classes_.tween.shown).number();
+    if (tree.get(tween, classes_.tween.paused).boolean()) {
         // A progress that was set meanwhile is shown.
-        if (moves && shown >= 0 && shown != tree.get(tween, classes_.progress).number())
+        if (moves && shown >= 0 && shown != tree.get(tween, classes_.tween.progress).number())
             show(tween);
         return std::nullopt;
     }
     if (moves && shown < 0 && !begin(tween)) return dt;
     const std::optional<double> left = pass_time(tween, dt);
     if (moves) {
-        const Handle target = tree.get(tween, classes_.target).reference();
-        const Property& property = tree.property(target, tree.get(tween, classes_.property).text());
+        const Handle target = tree.get(tween, classes_.tween.target).reference();
+        const Property& property =
+            tree.property(target, tree.get(tween, classes_.tween.property).text());
         if (tree.formula(target, property) != nullptr) {  // it was given later, so it wins
             tree.destroy(tween);
             return dt;
         }
         show(tween);
     } else {
-        tree.set(tween, classes_.shown, 0.0);
+        tree.set(tween, classes_.tween.shown, 0.0);
     }
     if (left) finish(tween);
     return left;
@@ -368,10 +369,10 @@ std::optional<double> Tweens::advance_tween(Handle tween, double dt) {
 /// Moves the progress on, and begins the next run where one ends.
 std::optional<double> Tweens::pass_time(Handle tween, double dt) {
     Tree& tree = machine_.tree;
-    const double seconds = tree.get(tween, classes_.seconds).number();
-    const std::int64_t loops = tree.get(tween, classes_.loops).integer();
-    std::int64_t turn = tree.get(tween, classes_.turn).integer();
-    double progress = tree.get(tween, classes_.progress).number();
+    const double seconds = tree.get(tween, classes_.tween.seconds).number();
+    const std::int64_t loops = tree.get(tween, classes_.tween.loops).integer();
+    std::int64_t turn = tree.get(tween, classes_.tween.turn).integer();
+    double progress = tree.get(tween, classes_.tween.progress).number();
     // Without a duration, an endless tween makes one run a step.
     progress = seconds > 0 ? progress + dt / seconds : progress + 1;
     std::optional<double> left;
@@ -387,9 +388,9 @@ std::optional<double> Tweens::pass_time(Handle tween, double dt) {
             progress = std::clamp(progress - runs, 0.0, 1.0);
             turn += static_cast<std::int64_t>(std::min(runs, 1e15));
         }
-        tree.set(tween, classes_.turn, turn);
+        tree.set(tween, classes_.tween.turn, turn);
     }
-    tree.set(tween, classes_.progress, progress);
+    tree.set(tween, classes_.tween.progress, progress);
     return left;
 }
 
@@ -397,16 +398,16 @@ std::optional<double> Tweens::pass_time(Handle tween, double dt) {
 /// has ended.
 bool Tweens::begin(Handle tween) {
     Tree& tree = machine_.tree;
-    const Handle target = tree.get(tween, classes_.target).reference();
-    const std::string name = tree.get(tween, classes_.property).text();
+    const Handle target = tree.get(tween, classes_.tween.target).reference();
+    const std::string name = tree.get(tween, classes_.tween.property).text();
     const Property& property = tree.property(target, name);
     if (tree.formula(target, property) != nullptr) {  // it was given later, so it wins
         tree.destroy(tween);
         return false;
     }
     stop_others(tween, target, name);
-    if (tree.get(tween, classes_.from).is_nil())
-        tree.set(tween, classes_.from, tree.get(target, property));
+    if (tree.get(tween, classes_.tween.from).is_nil())
+        tree.set(tween, classes_.tween.from, tree.get(target, property));
     return true;
 }
 
@@ -415,9 +416,9 @@ void Tweens::note_begun(Handle within, int depth) {
     if (depth > deepest_tweens) return;
     for (const Handle each : tree.children(within)) {
         if (!running(each)) continue;
-        if (tree.class_of(each).is_a(classes_.group))
+        if (tree.class_of(each).is_a(classes_.group.of))
             note_begun(each, depth + 1);
-        else if (tree.get(each, classes_.shown).number() >= 0)
+        else if (tree.get(each, classes_.tween.shown).number() >= 0)
             (*begun_)[moved_by(tree, classes_, each)].push_back(each);
     }
 }
@@ -438,31 +439,34 @@ void Tweens::stop_others(Handle tween, Handle target, const std::string& name) {
 /// Writes the value at the current progress to the property.
 void Tweens::show(Handle tween) {
     Tree& tree = machine_.tree;
-    const Handle target = tree.get(tween, classes_.target).reference();
-    const Property& property = tree.property(target, tree.get(tween, classes_.property).text());
-    const Value from = tree.get(tween, classes_.from), to = tree.get(tween, classes_.to);
+    const Handle target = tree.get(tween, classes_.tween.target).reference();
+    const Property& property =
+        tree.property(target, tree.get(tween, classes_.tween.property).text());
+    const Value from = tree.get(tween, classes_.tween.from),
+                to = tree.get(tween, classes_.tween.to);
     if (!mixable(from, to))
         throw Error(ErrorKind::wrong_type,
                     "there are no values between " + tree.text(from) + " and " + tree.text(to));
-    const double progress = tree.get(tween, classes_.progress).number();
-    const bool reversed = tree.get(tween, classes_.reversed).boolean();
-    std::int64_t turn = tree.get(tween, classes_.turn).integer();
+    const double progress = tree.get(tween, classes_.tween.progress).number();
+    const bool reversed = tree.get(tween, classes_.tween.reversed).boolean();
+    std::int64_t turn = tree.get(tween, classes_.tween.turn).integer();
     if (reversed)
-        turn = std::max<std::int64_t>(1, tree.get(tween, classes_.loops).integer()) - 1 - turn;
-    const bool back = tree.get(tween, classes_.alternate).boolean() && turn % 2 != 0;
+        turn =
+            std::max<std::int64_t>(1, tree.get(tween, classes_.tween.loops).integer()) - 1 - turn;
+    const bool back = tree.get(tween, classes_.tween.alternate).boolean() && turn % 2 != 0;
     const double time = back != reversed ? 1 - progress : progress;
-    const std::string kind = tree.get(tween, classes_.ease).text();
-    const double part =
-        kind == "curve" ? ease(tree.get(tween, classes_.curve).list(), time) : ease(kind, time);
+    const std::string kind = tree.get(tween, classes_.tween.ease).text();
+    const double part = kind == "curve" ? ease(tree.get(tween, classes_.tween.curve).list(), time)
+                                        : ease(kind, time);
     tree.set(target, property, mix(from, to, part, property));
-    tree.set(tween, classes_.shown, progress);
+    tree.set(tween, classes_.tween.shown, progress);
 }
 
 void Tweens::finish(Handle each) {
     Tree& tree = machine_.tree;
-    const bool tween = tree.class_of(each).is_a(classes_.tween);
-    tree.set(each, tween ? classes_.over : classes_.group_over, true);
-    const property::Event& event = tween ? classes_.finished : classes_.group_finished;
+    const bool tween = tree.class_of(each).is_a(classes_.tween.of);
+    tree.set(each, tween ? classes_.tween.over : classes_.group.over, true);
+    const property::Event& event = tween ? classes_.tween.finished : classes_.group.finished;
     if (tree.listens(each, event)) tree.emit(each, event, {});
 }
 

@@ -14,8 +14,8 @@
 #include <handlers/formulas.h>
 #include <handlers/subscriptions.h>
 #include <lua/exception_guard.h>
+#include <lua/library_chunks.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <motion/tweens.h>
 #include <objects/class_object.h>
@@ -23,14 +23,14 @@
 #include <objects/hints.h>
 #include <objects/instance.h>
 #include <objects/methods.h>
+#include <other_languages/synonyms.h>
 #include <reference/language.h>
-#include <text/synonyms.h>
 #include <text/words.h>
-#include <values/declarations.h>
 #include <values/recording.h>
 #include <values/short_text.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/declarations.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

@@ -14,11 +14,11 @@
 #include <motion/tweens.h>
 #include <objects/generic_methods.h>
 #include <objects/instance_set.h>
-#include <text/foreign_classes.h>
-#include <values/declarations.h>
+#include <other_languages/foreign_classes.h>
 #include <values/members.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/declarations.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

@@ -11,10 +11,10 @@
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <objects/hints.h>
+#include <other_languages/synonyms.h>
+#include <sources/sources.h>
 #include <text/command_words.h>
-#include <text/synonyms.h>
 #include <text/words.h>
 #include <values/recording.h>
 

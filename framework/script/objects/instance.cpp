@@ -5,7 +5,6 @@
 
 #include <fettle/property/path.h>
 #include <fettle/property/reserved_names.h>
-#include <fettle/property/spelling.h>
 
 #include <classes/script_classes.h>
 #include <handlers/formulas.h>
@@ -16,16 +15,15 @@
 #include <objects/hints.h>
 #include <objects/instance.h>
 #include <objects/methods.h>
+#include <other_languages/synonyms.h>
 #include <reference/language.h>
-#include <text/synonyms.h>
-#include <text/words.h>
-#include <values/declarations.h>
-#include <values/degree_notes.h>
 #include <values/members.h>
 #include <values/recording.h>
 #include <values/short_text.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/declarations.h>
+#include <writes/degree_notes.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

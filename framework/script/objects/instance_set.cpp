@@ -5,17 +5,17 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/script_classes.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <objects/generic_methods.h>
 #include <objects/instance_set.h>
 #include <text/words.h>
-#include <values/declarations.h>
 #include <values/short_text.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/declarations.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 
@@ -51,7 +51,7 @@ std::vector<Handle> members(lua_State* L, const char* what) {
         handles.push_back(check_instance(L, -1, what));
         lua_pop(L, 1);
     }
-    machine_of(L).budget.charge(L, static_cast<std::uint64_t>(length));
+    machine_of(L).limiters.budget.charge(L, static_cast<std::uint64_t>(length));
     return handles;
 }
 
@@ -211,7 +211,7 @@ int query(lua_State* L) {
                 pattern.matches(machine.tree, handle, *property))
                 properties.emplace_back(handle, property);
     });
-    machine.budget.charge(L, machine.tree.size() + properties.size());
+    machine.limiters.budget.charge(L, machine.tree.size() + properties.size());
     if (properties.empty()) {
         if (instances.empty() && machine.recording.active)
             machine.recording.nothing = pattern.text();
@@ -241,7 +241,7 @@ std::vector<Handle> instances_matching(lua_State* L, const std::string& text) {
     machine.tree.each_below(machine.tree.root(), [&](Handle handle) {
         if (condition.holds(machine.tree, handle)) found.push_back(handle);
     });
-    machine.budget.charge(L, machine.tree.size() * (1 + condition.weight()));
+    machine.limiters.budget.charge(L, machine.tree.size() * (1 + condition.weight()));
     if (const std::string problem = condition.problem(machine.tree); !problem.empty())
         throw Error(ErrorKind::unknown_name, "\"" + text + "\": " + problem);
     return found;

@@ -12,14 +12,13 @@
 #include <classes/unplaced_instances.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
-#include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/hints.h>
+#include <other_languages/synonyms.h>
 #include <reference/language.h>
-#include <text/synonyms.h>
+#include <sources/sources.h>
 #include <text/words.h>
 #include <values/values.h>
 

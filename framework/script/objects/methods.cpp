@@ -13,11 +13,11 @@
 #include <lua/stack.h>
 #include <objects/methods.h>
 #include <reference/reference_facts.h>
-#include <values/change_notes.h>
-#include <values/declarations.h>
 #include <values/members.h>
 #include <values/records.h>
 #include <values/values.h>
+#include <writes/change_notes.h>
+#include <writes/declarations.h>
 
 namespace fettle::script {
 

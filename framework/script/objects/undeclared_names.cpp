@@ -10,10 +10,10 @@
 #include <objects/generic_methods.h>
 #include <objects/hints.h>
 #include <objects/instance.h>
-#include <text/synonyms.h>
-#include <values/declarations.h>
+#include <other_languages/synonyms.h>
 #include <values/values.h>
-#include <values/writes.h>
+#include <writes/declarations.h>
+#include <writes/writes.h>
 
 namespace fettle::script {
 

@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <utility>
 
 #include <classes/script_classes.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <objects/variable_hints.h>
-#include <text/synonyms.h>
+#include <other_languages/synonyms.h>
+#include <sources/sources.h>
 #include <text/words.h>
 #include <values/values.h>
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include <classes/script_classes.h>
-#include <values/declarations.h>
+#include <writes/declarations.h>
 
 namespace fettle::script {
 

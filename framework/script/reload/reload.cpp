@@ -10,12 +10,12 @@
 #include <lua/environment.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <motion/tweens.h>
 #include <reload/merge.h>
 #include <reload/reload.h>
-#include <values/declarations.h>
+#include <sources/sources.h>
+#include <writes/declarations.h>
 
 namespace fettle::script {
 

@@ -16,7 +16,6 @@
 #include <library/pen.h>
 #include <library/scene_changes.h>
 #include <library/time_functions.h>
-#include <lua/arena.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/interpreter.h>
@@ -152,9 +151,7 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
               options,
               lua,
               life,
-              arena,
-              budget,
-              watchdog,
+              limiters,
               globals,
               sources,
               host,
@@ -165,7 +162,6 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
               members,
               declarations,
               errors,
-              counted,
               timers,
               tweens,
               connections,
@@ -176,26 +172,24 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
               snapshots,
               pen},
       options(std::move(runtime_options)),
-      arena(options.memory_limit),
-      sources{.files = options.files != nullptr ? *options.files : files_on_disk,
-              .folder = {},
-              .texts = {}},
+      limiters(machine, options.memory_limit),
+      sources(options.files),
       members(tree, recording),
       declarations(tree, recording),
       random(options.seed) {
     life.tree = tree.lifetime();
-    lua_State* const L = lua_newstate(Arena::allocate, &arena);
+    lua_State* const L = lua_newstate(Arena::allocate, &limiters.arena);
     if (!L) throw std::bad_alloc();
     lua.alive = std::make_shared<lua_State*>(L);
     lua.main = lua.running = L;
     *static_cast<Machine**>(lua_getextraspace(L)) = &machine;
-    watchdog.limit(options.call_seconds, {});
-    budget.limit_tree();
+    limiters.watchdog.limit(options.call_seconds, {});
+    limiters.budget.limit_tree();
     tree.add_part(saved);
-    arena.on_refusal = [this](const Arena::Refusal& refusal) {
-        return budget.memory_refused(refusal);
+    limiters.arena.on_refusal = [this](const Arena::Refusal& refusal) {
+        return limiters.budget.memory_refused(refusal);
     };
-    budget.passed_limit = [this]() -> std::string {
+    limiters.budget.passed_limit = [this]() -> std::string {
         const GameLimits& limits = options.limits;
         const auto passed = [](std::size_t count, std::size_t limit, const char* what) {
             return limit > 0 && count > limit
@@ -208,8 +202,10 @@ Parts::Parts(property::Tree& tree, Options runtime_options)
         if (why.empty()) why = passed(timers.size(), limits.timers, "timers");
         return why;
     };
-    arena.set_longest_text(options.limits.text);
-    arena.on_large = [this](std::size_t size) { budget.charge_quietly(size / 64); };
+    limiters.arena.set_longest_text(options.limits.text);
+    limiters.arena.on_large = [this](std::size_t size) {
+        limiters.budget.charge_quietly(size / 64);
+    };
     if (!errors_run_destructors(L)) {
         end();
         throw Error(
@@ -242,7 +238,7 @@ void Parts::leave() {
 
 void Parts::end() {
     leave();
-    arena.set_limit(static_cast<std::size_t>(-1));
+    limiters.arena.set_limit(static_cast<std::size_t>(-1));
     *lua.alive = nullptr;
     lua_close(lua.main);
 }

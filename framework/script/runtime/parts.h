@@ -4,32 +4,29 @@
 #include <fettle/script/runtime.h>
 
 #include <calls/errors.h>
-#include <calls/held_memory.h>
 #include <classes/script_classes.h>
 #include <classes/unplaced_instances.h>
 #include <handlers/connections.h>
 #include <handlers/timers.h>
 #include <library/pen.h>
 #include <library/time_functions.h>
-#include <lua/arena.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/environment.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
-#include <lua/sources.h>
-#include <lua/watchdog.h>
 #include <motion/tweens.h>
 #include <objects/hints.h>
 #include <runtime/runtime_part.h>
 #include <sandbox/random.h>
-#include <values/declarations.h>
+#include <sources/sources.h>
 #include <values/members.h>
 #include <values/moved_lists.h>
 #include <values/recording.h>
-#include <values/replaced_formulas.h>
 #include <values/values.h>
+#include <writes/declarations.h>
+#include <writes/replaced_formulas.h>
 
 namespace fettle::script {
 
@@ -48,11 +45,8 @@ struct Parts {
     Options options;
     Interpreter lua;
     RuntimeLifetime life;
-    Arena arena;
-    Budget budget{machine};
-    Watchdog watchdog{machine};
+    Limiters limiters;
     Environment globals;
-    property::GameFiles files_on_disk;
     Sources sources;
     Host host;
     Recording recording;
@@ -62,7 +56,6 @@ struct Parts {
     MemberTables members;
     Declarations declarations;
     Errors errors;
-    CountedMemory counted;
     Timers timers{machine};
     Tweens tweens{machine};
     Connections connections{machine};

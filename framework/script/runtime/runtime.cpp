@@ -19,18 +19,18 @@
 #include <library/host_functions.h>
 #include <library/pen.h>
 #include <library/scene_changes.h>
-#include <lua/arena.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/environment.h>
 #include <lua/host.h>
+#include <lua/library_chunks.h>
 #include <lua/machine.h>
 #include <lua/runtime_lifetime.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <motion/tweens.h>
 #include <objects/hints.h>
 #include <reload/reload.h>
 #include <runtime/parts.h>
+#include <sources/sources.h>
 #include <values/recording.h>
 #include <values/values.h>
 
@@ -238,11 +238,11 @@ bool Runtime::run(std::string_view chunk, const std::string& name) {
     Machine& machine = live();
     const RuntimeLifetime::Use use(machine.life);
     Limits limits{.memory = machine.options.memory_limit, .subject = "a chunk"};
-    if (const auto of_call = machine.budget.of_call()) {
+    if (const auto of_call = machine.limiters.budget.of_call()) {
         limits.instructions = of_call->instructions;
         limits.seconds = of_call->seconds;
     }
-    const Budget::Scope budget(machine.budget, limits);
+    const Budget::Scope budget(machine.limiters.budget, limits);
     const bool ok = run_chunk(machine, std::string(chunk), name, "chunk");
     return machine.classes.deliver_ready() && ok;
 }
@@ -293,7 +293,7 @@ class ClassDrawer : public property::Drawer {
     }
     void draw(Handle instance, property::Painter& painter) override {
         // After a call that took too long, the rest of this picture is left out.
-        if (machine_.watchdog.stopped()) return;
+        if (machine_.limiters.watchdog.stopped()) return;
         const PenScope scope(machine_.pen, painter);
         ok_ &= machine_.classes.draw(instance, machine_.pen.reference);
     }
@@ -427,13 +427,13 @@ void Runtime::add_function(const std::string& name, HostFunction function) {
 
 void Runtime::limit_calls(double seconds, std::function<bool(const LongCall&)> go_on) {
     require_seconds("limit_calls: seconds", seconds);
-    if (!go_on) return state_->watchdog.limit(seconds, {});
+    if (!go_on) return state_->limiters.watchdog.limit(seconds, {});
     // A running call may outlive this Runtime, but not its State, which contains the machine.
     const auto ask = [&machine = state_->machine, go_on = std::move(go_on)](lua_State* L,
                                                                             double s) {
         return go_on({.where = describe_place(machine, L), .seconds = s});
     };
-    state_->watchdog.limit(seconds, ask);
+    state_->limiters.watchdog.limit(seconds, ask);
 }
 
 void Runtime::on_command_memory(std::function<std::size_t()> bytes, std::string property) {
@@ -462,15 +462,15 @@ void Runtime::on_command(std::function<void(std::string_view)> sink) {
 }
 
 void Runtime::interrupt() noexcept {
-    state_->budget.interrupt();
+    state_->limiters.budget.interrupt();
 }
 
 void Runtime::go_on() {
-    state_->budget.go_on();
+    state_->limiters.budget.go_on();
 }
 
 bool Runtime::interrupted() const {
-    return state_->budget.interrupted();
+    return state_->limiters.budget.interrupted();
 }
 
 std::optional<int> Runtime::quit_status() const {
@@ -494,7 +494,7 @@ bool Runtime::defines(std::string_view callback) const {
 }
 
 std::size_t Runtime::memory() const {
-    return state_->arena.bytes();
+    return state_->limiters.arena.bytes();
 }
 
 }  // namespace fettle::script

@@ -8,15 +8,14 @@
 #include <fettle/script/runtime.h>
 
 #include <calls/errors.h>
-#include <lua/arena.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <sandbox/sandbox.h>
+#include <sources/sources.h>
 #include <text/columns.h>
 #include <values/recording.h>
 #include <values/records.h>
@@ -73,9 +72,9 @@ void print_line(Machine& machine, std::string text) {
         const std::size_t limit = machine.options.limits.output;
         machine.host.printed += text.size() + 1;
         if (limit > 0 && machine.host.printed > limit) {
-            machine.budget.stop(machine.lua.running, "stopped: it has printed more than " +
-                                                         std::to_string(limit) +
-                                                         " bytes, as much as this game may");
+            machine.limiters.budget.stop(
+                machine.lua.running, "stopped: it has printed more than " + std::to_string(limit) +
+                                         " bytes, as much as this game may");
             return;
         }
         const property::Pinned pinned(machine.tree, "the function given to on_print");
@@ -125,7 +124,7 @@ int print(lua_State* L) {
         lua_pop(L, 1);
     }
     Machine& machine = machine_of(L);
-    machine.budget.charge(L, 100 + line.size() / 8);
+    machine.limiters.budget.charge(L, 100 + line.size() / 8);
     Recording& recording = machine.recording;
     const std::size_t first = recording.lines.size();
     print_line(machine, std::move(line));
@@ -201,7 +200,7 @@ int sorted_pairs(lua_State* L) {
         lua_pushvalue(L, -1);
         lua_rawseti(L, 2, key.place);
     }
-    machine_of(L).budget.charge(L, keys.size());
+    machine_of(L).limiters.budget.charge(L, keys.size());
     std::stable_sort(keys.begin(), keys.end(), before);
     lua_pushvalue(L, 1);
     lua_createtable(L, static_cast<int>(keys.size()), 0);
@@ -308,7 +307,7 @@ int load_chunk(lua_State* L) {
         std::string_view left;
         status = lua_load(L, read_piece, &left, name.c_str(), "t");
     }
-    machine_of(L).budget.check(L);
+    machine_of(L).limiters.budget.check(L);
     if (status != LUA_OK) {
         lua_pushnil(L);
         lua_insert(L, -2);
@@ -326,7 +325,7 @@ int load_chunk(lua_State* L) {
 // Upvalue: the script's handler. It is not called while a command is being stopped.
 int call_handler(lua_State* L) {
     Machine& machine = machine_of(L);
-    if (machine.budget.stopping()) return 1;
+    if (machine.limiters.budget.stopping()) return 1;
     lua_settop(L, 1);
     complete_message(L, L, 1);
     lua_pushvalue(L, lua_upvalueindex(1));
@@ -342,7 +341,8 @@ constexpr std::uint64_t cost_of_error = 300;
 // better one.
 void replace_memory_error(lua_State* L, int status) {
     if (status != LUA_ERRMEM) return;
-    if (const std::string refusal = machine_of(L).budget.take_refusal(); !refusal.empty()) {
+    if (const std::string refusal = machine_of(L).limiters.budget.take_refusal();
+        !refusal.empty()) {
         lua_pop(L, 1);
         push_text(L, refusal);
     }
@@ -351,7 +351,7 @@ void replace_memory_error(lua_State* L, int status) {
 int finish_pcall(lua_State* L, int status, lua_KContext) {
     if (status == LUA_OK || status == LUA_YIELD)
         return lua_gettop(L) - 1;  // all except the handler
-    machine_of(L).budget.charge(L, cost_of_error);
+    machine_of(L).limiters.budget.charge(L, cost_of_error);
     replace_memory_error(L, status);
     lua_pushboolean(L, 0);
     lua_insert(L, -2);
@@ -372,7 +372,7 @@ int finish_xpcall(lua_State* L, int status, lua_KContext) {
     replace_memory_error(L, status);
     lua_pushboolean(L, !failed);
     if (failed) {
-        machine_of(L).budget.charge(L, cost_of_error);
+        machine_of(L).limiters.budget.charge(L, cost_of_error);
         lua_insert(L, -2);
         return 2;
     }
@@ -401,9 +401,9 @@ int collect_garbage(lua_State* L) {
     Machine& machine = machine_of(L);
     const std::string_view what = option;
     if (what == "count") {
-        lua_pushnumber(L, static_cast<double>(machine.arena.bytes()) / 1024.0);
+        lua_pushnumber(L, static_cast<double>(machine.limiters.arena.bytes()) / 1024.0);
     } else if (what == "collect" || what == "step") {
-        machine.budget.charge(L, 1000 + machine.arena.bytes() / 16);
+        machine.limiters.budget.charge(L, 1000 + machine.limiters.arena.bytes() / 16);
         lua_gc(L, LUA_GCCOLLECT);
         lua_pushinteger(L, 0);
     } else {

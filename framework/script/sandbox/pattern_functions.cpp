@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include <lua/arena.h>
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -24,7 +23,7 @@ std::string_view text_at(lua_State* L, int index) {
 
 void charge_steps(void* L, std::uint64_t steps) {
     auto* state = static_cast<lua_State*>(L);
-    machine_of(state).budget.charge_by_the_clock(state, steps);
+    machine_of(state).limiters.budget.charge_by_the_clock(state, steps);
 }
 
 // Start position, from 0; it may be greater than the length.
@@ -67,7 +66,7 @@ int search(lua_State* L, bool find) {
     }
     if (find &&
         (lua_toboolean(L, 4) || pattern.find_first_of("^$*+?.([%-") == std::string_view::npos)) {
-        machine_of(L).budget.charge(L, (subject.size() - start + pattern.size()) / 8);
+        machine_of(L).limiters.budget.charge(L, (subject.size() - start + pattern.size()) / 8);
         // memmem takes linear time; string_view::find takes the product of both lengths.
         const void* const at = ::memmem(subject.data() + start, subject.size() - start,
                                         pattern.data(), pattern.size());
@@ -139,11 +138,11 @@ void append(lua_State* L, std::string& out, std::string_view piece) {
     constexpr std::size_t unchecked = 4096;  // bytes
     charge_steps(L, 4);  // instructions: a replacement may have millions of pieces
     const std::size_t size = out.size() + piece.size();
-    const Arena& arena = machine_of(L).arena;
+    const Arena& arena = machine_of(L).limiters.arena;
     if (size > unchecked && size > (arena.limit() - std::min(arena.limit(), arena.bytes())) / 2) {
         const Arena::Refusal refusal{.size = size, .final = true};
-        machine_of(L).budget.memory_refused(refusal);
-        throw Error(ErrorKind::rejected, machine_of(L).budget.out_of_memory(refusal));
+        machine_of(L).limiters.budget.memory_refused(refusal);
+        throw Error(ErrorKind::rejected, machine_of(L).limiters.budget.out_of_memory(refusal));
     }
     out.append(piece);
 }

@@ -10,9 +10,9 @@
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
-#include <lua/sources.h>
 #include <lua/stack.h>
 #include <sandbox/sandbox.h>
+#include <sources/sources.h>
 #include <values/values.h>
 
 namespace fettle::script {

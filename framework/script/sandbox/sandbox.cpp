@@ -5,8 +5,8 @@
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <other_languages/other_languages.h>
 #include <sandbox/sandbox.h>
-#include <text/other_languages.h>
 #include <values/values.h>
 
 namespace fettle::script {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>
@@ -19,11 +19,11 @@ namespace {
 /// Before memory is taken for it.
 void refuse_long_text(lua_State* L, std::size_t size) {
     Machine& machine = machine_of(L);
-    const std::size_t most = machine.arena.longest_text();
+    const std::size_t most = machine.limiters.arena.longest_text();
     if (most == 0 || size <= most) return;
     const Arena::Refusal refusal{.size = size, .final = true, .text = true};
-    machine.budget.memory_refused(refusal);
-    throw Error(ErrorKind::rejected, machine.budget.out_of_memory(refusal));
+    machine.limiters.budget.memory_refused(refusal);
+    throw Error(ErrorKind::rejected, machine.limiters.budget.out_of_memory(refusal));
 }
 
 /// What one conversion costs, in instructions. Bytes of %q become up to five each, one by one; C
@@ -56,7 +56,7 @@ int format(lua_State* L) {
         }
         cost += cost_of(L, text[i], argument);
     }
-    machine_of(L).budget.charge(L, cost);
+    machine_of(L).limiters.budget.charge(L, cost);
     return call_original(L);
 }
 
@@ -76,7 +76,7 @@ int repeat(lua_State* L) {
     const std::size_t size = huge ? most : part * static_cast<std::size_t>(count) - separator;
     refuse_long_text(L, size);
     if (huge) return call_original(L);  // it has the message
-    machine_of(L).budget.charge(L, size / 64);
+    machine_of(L).limiters.budget.charge(L, size / 64);
     luaL_Buffer buffer;
     char* const to = luaL_buffinitsize(L, &buffer, size);
     std::memcpy(to, text, length);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <sandbox/sandbox.h>
@@ -23,7 +23,7 @@ void charge(lua_State* L, const char* what, lua_Integer from, lua_Integer to) {
     const auto count = static_cast<lua_Unsigned>(to) - static_cast<lua_Unsigned>(from);
     if (count >= static_cast<lua_Unsigned>(longest_loop))
         throw Error(ErrorKind::out_of_range, std::string(what) + ": too many elements");
-    machine_of(L).budget.charge(L, count);
+    machine_of(L).limiters.budget.charge(L, count);
 }
 
 // Accepts values with elements. For others, raises the same error as Lua's own functions, before
@@ -123,7 +123,7 @@ int compare_with_limit(lua_State* L) {
     std::size_t bytes = 0;
     for (const int index : {1, 2})
         if (lua_type(L, index) == LUA_TSTRING) bytes += lua_rawlen(L, index);
-    machine_of(L).budget.charge_by_the_clock(L, 10 + bytes / 8);
+    machine_of(L).limiters.budget.charge_by_the_clock(L, 10 + bytes / 8);
     lua_settop(L, 2);
     if (lua_isnil(L, lua_upvalueindex(1))) {
         lua_pushboolean(L, lua_compare(L, 1, 2, LUA_OPLT));
@@ -138,7 +138,7 @@ int compare_with_limit(lua_State* L) {
 /// Lua runs no hook between two comparisons that no script makes. If they may take long (of long
 /// texts, by a function in C), replaces the function that compares by one that can be stopped.
 void limit_comparisons(lua_State* L, lua_Integer length) {
-    if (!machine_of(L).budget.counting() || lua_type(L, 1) != LUA_TTABLE) return;
+    if (!machine_of(L).limiters.budget.counting() || lua_type(L, 1) != LUA_TTABLE) return;
     bool slow = lua_iscfunction(L, 2) != 0;
     if (!slow && !lua_isnoneornil(L, 2)) return;
     for (lua_Integer i = 1; i <= length && !slow; ++i) {
@@ -158,7 +158,7 @@ int sort(lua_State* L) {
     charge(L, "table.sort", 1, length);
     std::uint64_t rounds = 0;
     for (lua_Integer n = length; n > 1; n /= 2) ++rounds;
-    machine_of(L).budget.charge(
+    machine_of(L).limiters.budget.charge(
         L, rounds * static_cast<std::uint64_t>(std::max<lua_Integer>(length, 0)));
     const auto* box = list_at(L, 1);
     if (box == nullptr) {

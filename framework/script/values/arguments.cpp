@@ -5,10 +5,10 @@
 
 #include <fettle/property/spelling.h>
 
-#include <lua/call_form.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
-#include <text/synonyms.h>
+#include <other_languages/synonyms.h>
+#include <sources/call_form.h>
 #include <values/members.h>
 #include <values/short_text.h>
 #include <values/values.h>

@@ -3,8 +3,8 @@
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
+#include <other_languages/synonyms.h>
 #include <reference/language.h>
-#include <text/synonyms.h>
 #include <text/words.h>
 #include <values/records.h>
 #include <values/short_text.h>

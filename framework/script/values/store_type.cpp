@@ -5,7 +5,7 @@
 #include <fettle/property/path.h>
 #include <fettle/script/runtime.h>
 
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/machine.h>
@@ -106,8 +106,8 @@ Store::Key key_at(lua_State* L, int index, const std::string& where) {
                     (fraction ? short_text(L, index) : describe_type(L, index)));
 }
 
-/// Makes an entry of a value of Lua. A table may name another one many times, so its size is
-/// limited while it is copied.
+/// Makes an entry of a value of Lua. A table may contain another one many times, so the
+/// size is limited while the table is copied.
 class Filling {
   public:
     Filling(lua_State* L, const std::string& path) : L_(L), path_(path) {}
@@ -134,7 +134,7 @@ class Filling {
 
   private:
     void put(Store::Entry& table, const Store::Key& key, Store::Entry entry) {
-        machine_of(L_).budget.charge(L_, 10);
+        machine_of(L_).limiters.budget.charge(L_, 10);
         bytes_ += Store::size_of(key, entry.value);
         if (bytes_ > Store::size_limit) Store::refuse_size(path_);
         table.content->entries[key] = std::move(entry);
@@ -276,7 +276,7 @@ int store_length(lua_State* L) {
     for (auto at = all.find(std::int64_t{1});
          at != all.end() && at->first == Store::Key(std::int64_t{length + 1}); ++at)
         ++length;
-    machine_of(L).budget.charge(L, static_cast<std::uint64_t>(length));
+    machine_of(L).limiters.budget.charge(L, static_cast<std::uint64_t>(length));
     lua_pushinteger(L, length);
     return 1;
 }
@@ -311,7 +311,7 @@ int next_stored(lua_State* L) {
 
 int store_pairs(lua_State* L) {
     const auto& all = entries_of(store_of(L), store_self(L, "pairs"));
-    machine_of(L).budget.charge(L, all.size());
+    machine_of(L).limiters.budget.charge(L, all.size());
     lua_settop(L, 1);
     lua_createtable(L, static_cast<int>(all.size()), 0);
     lua_Integer place = 0;
@@ -337,7 +337,7 @@ Value stored_list(lua_State* L, const StoreBox& box) {
         throw Error(ErrorKind::wrong_type, "the whole store is not a value of a property");
     List list;
     for (const auto& [key, entry] : entries_of(store_of(L), box)) {
-        machine_of(L).budget.charge(L, 1);
+        machine_of(L).limiters.budget.charge(L, 1);
         if (const auto* const name = std::get_if<std::string>(&key)) refuse_named_keys(*name);
         if (std::get<std::int64_t>(key) != static_cast<std::int64_t>(list.size()) + 1)
             refuse_gaps();

@@ -4,14 +4,13 @@
 
 #include <fettle/property/spelling.h>
 
-#include <lua/budget.h>
+#include <limits/limiters.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
 #include <values/description.h>
 #include <values/members.h>
 #include <values/moved_lists.h>
-#include <values/short_text.h>
 #include <values/store_type.h>
 #include <values/values.h>
 
@@ -331,7 +330,7 @@ Value table_to_list(lua_State* L, int index, int depth) {
     const lua_Unsigned length = lua_rawlen(L, index);
     if (length > longest_table)
         throw Error(ErrorKind::wrong_type, "the table has more than 10 million elements");
-    machine_of(L).budget.charge(L, length);
+    machine_of(L).limiters.budget.charge(L, length);
     lua_Unsigned keys = 0;
     std::optional<std::string> name;  // the smallest: the order of `lua_next` differs between runs
     for (lua_pushnil(L); lua_next(L, index) != 0; lua_pop(L, 1), ++keys)

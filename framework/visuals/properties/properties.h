@@ -26,6 +26,25 @@ class Reader {
     property::StoredValues stored_;
 };
 
+/// Each instance has a row of `rows` and is drawn by `draw`; both are members of `Owner`.
+template <auto rows, auto draw, class Owner>
+property::Lifecycle lifecycle_with_rows(Owner& owner) {
+    property::Lifecycle made;
+    made.context = &owner;
+    made.create = [](void* context, property::Tree&, property::Handle self) {
+        return (static_cast<Owner*>(context)->*rows).add(self);
+    };
+    made.destroy = [](void* context, property::Tree&, property::Handle, property::Row row) {
+        (static_cast<Owner*>(context)->*rows).remove(row);
+    };
+    made.draw = [](void* context, const property::Tree&, property::Handle, property::Row row,
+                   property::Painter& painter, double alpha) {
+        auto& its = *static_cast<Owner*>(context);
+        (its.*draw)((its.*rows)[row], painter, alpha);
+    };
+    return made;
+}
+
 property::Property position_property(const char* doc);
 property::Property angle_property();
 property::Property visible_property();

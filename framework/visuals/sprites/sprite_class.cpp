@@ -226,23 +226,6 @@ std::vector<Property> Sprites::derived_properties() {
     };
 }
 
-property::Lifecycle Sprites::lifecycle() {
-    property::Lifecycle made;
-    made.context = this;
-    made.create = [](void* context, property::Tree&, property::Handle self) {
-        return static_cast<Sprites*>(context)->rows_.add(self);
-    };
-    made.destroy = [](void* context, property::Tree&, property::Handle, property::Row row) {
-        static_cast<Sprites*>(context)->rows_.remove(row);
-    };
-    made.draw = [](void* context, const property::Tree&, property::Handle, property::Row row,
-                   property::Painter& painter, double alpha) {
-        auto& s = *static_cast<Sprites*>(context);
-        s.draw(s.rows_[row], painter, alpha);
-    };
-    return made;
-}
-
 void Sprites::define(property::Tree& tree) {
     tree_ = &tree;
     property::ClassDescriptor described{
@@ -256,7 +239,7 @@ void Sprites::define(property::Tree& tree) {
         described.properties.insert(described.properties.end(), group.begin(), group.end());
     described.events = {
         {.name = "finished", .doc = "The animation came to its end; only without `loop`."}};
-    described.lifecycle = lifecycle();
+    described.lifecycle = lifecycle_with_rows<&Sprites::rows_, &Sprites::draw>(*this);
     const property::Class& made = tree.define(std::move(described));
     const auto of = [&](const char* name) { return made.property(name); };
     of_ = {of("image"),      of("size"),

@@ -49,7 +49,6 @@ class Sprites {
     std::vector<property::Property> frame_properties();
     std::vector<property::Property> look_properties();
     std::vector<property::Property> derived_properties();
-    property::Lifecycle lifecycle();
     // `read`: the properties of the sprite of the row.
     const Sheet* sheet(Row& row, const Reader& read);
     std::int64_t frames_in(const Sheet& sheet, const Reader& read) const;

@@ -108,23 +108,6 @@ std::vector<Property> Texts::properties() {
     };
 }
 
-property::Lifecycle Texts::lifecycle() {
-    property::Lifecycle made;
-    made.context = this;
-    made.create = [](void* context, property::Tree&, Handle self) {
-        return static_cast<Texts*>(context)->rows_.add(self);
-    };
-    made.destroy = [](void* context, property::Tree&, Handle, property::Row row) {
-        static_cast<Texts*>(context)->rows_.remove(row);
-    };
-    made.draw = [](void* context, const property::Tree&, Handle, property::Row row,
-                   Painter& painter, double alpha) {
-        auto& t = *static_cast<Texts*>(context);
-        t.draw(t.rows_[row], painter, alpha);
-    };
-    return made;
-}
-
 void Texts::define(property::Tree& tree) {
     tree_ = &tree;
     property::ClassDescriptor described{
@@ -134,7 +117,7 @@ void Texts::define(property::Tree& tree) {
             "of a Sprite does.",
         .properties = properties(),
         .weight = 600};
-    described.lifecycle = lifecycle();
+    described.lifecycle = lifecycle_with_rows<&Texts::rows_, &Texts::draw>(*this);
     const property::Class& made = tree.define(std::move(described));
     const auto of = [&](const char* name) { return made.property(name); };
     of_ = {of("text"),  of("font"),    of("size"),          of("align"), of("anchor"), of("wrap"),

@@ -36,7 +36,6 @@ class Texts {
             *outline_width, *blend, *visible;
     };
     std::vector<property::Property> properties();
-    property::Lifecycle lifecycle();
     double size_of(const Row& row) const;
     const Layout& layout(Row& row);
     void draw(Row& row, property::Painter& painter, double alpha);

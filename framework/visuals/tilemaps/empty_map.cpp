@@ -1,6 +1,5 @@
 #include <tilemaps/empty_map.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 #include <utility>

@@ -1,8 +1,8 @@
 #include <partition/union_find.h>
 #include <solver/alternatives/direct_problem.h>
-#include <solver/direct_row.h>
-#include <solver/geometric_stiffness.h>
-#include <solver/joint_passes.h>
+#include <solver/joints/direct_row.h>
+#include <solver/joints/geometric_stiffness.h>
+#include <solver/joints/joint_passes.h>
 #include <solver/motion.h>
 #include <solver/solvers.h>
 

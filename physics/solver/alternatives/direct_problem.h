@@ -1,6 +1,6 @@
 #pragma once
 
-#include <solver/direct_row.h>
+#include <solver/joints/direct_row.h>
 
 #include <Eigen/SparseCholesky>
 #include <span>

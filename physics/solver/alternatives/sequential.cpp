@@ -1,4 +1,4 @@
-#include <solver/joint_passes.h>
+#include <solver/joints/joint_passes.h>
 #include <solver/motion.h>
 #include <solver/solvers.h>
 

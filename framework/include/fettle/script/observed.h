@@ -43,9 +43,8 @@ struct Wait {
 /// What a console can list.
 enum class Listed : std::uint8_t { pins, plots, breaks, bookmarks, binds, aliases };
 
-/// Called in the middle of a command or of a script; must not throw. Missing functions are refused.
-/// Those that return a text answer a command with it; "" if the person sees what has happened.
-struct ConsoleFunctions {
+/// What a console observes and selects.
+struct ObservingFunctions {
     std::function<std::string(Observed)> pin{};
     /// The text "" is all of them.
     std::function<std::string(const std::string& text)> unpin{};
@@ -55,6 +54,8 @@ struct ConsoleFunctions {
     std::function<std::vector<std::string>(Listed what)> listed{};
     /// Shows the values over time; an empty list ends it.
     std::function<std::string(std::vector<Observed>)> plot{};
+    /// Writes the plot to a file; `kind` is "csv" or "png".
+    std::function<void(const std::string& kind)> export_plot{};
     /// Pauses the game after the step in which the condition becomes true. Without a condition:
     /// forgets all of them. Returns a message: what it waits for, and the present value.
     std::function<std::string(Observed)> break_when{};
@@ -62,6 +63,13 @@ struct ConsoleFunctions {
     std::function<std::size_t(const std::string& text)> unbreak{};
     /// The texts of the conditions.
     std::function<std::vector<std::string>()> breaks{};
+    /// The selected instances, `it` last; and selects others.
+    std::function<std::vector<property::Handle>()> selection{};
+    std::function<std::string(const std::vector<property::Handle>&)> select{};
+};
+
+/// The past of the game, and how the game goes on.
+struct TimeFunctions {
     /// Searches the kept past for the last step at which the condition was true, and goes there.
     std::function<void(Observed)> last_time{};
     /// Shows the last seconds twice: as they passed, and with that value of the property from their
@@ -87,11 +95,15 @@ struct ConsoleFunctions {
     std::function<std::string(bool on)> record{};
     /// Lets the game go on after an error or a pause; returns an answer.
     std::function<std::string()> go_on{};
+    /// Begins the game again.
+    std::function<void()> restart{};
+};
+
+/// Commands that are typed.
+struct CommandFunctions {
     /// The terminal of the present command waits before its next one. False if the command was
     /// typed in no terminal.
     std::function<bool(Wait)> wait{};
-    /// Begins the game again.
-    std::function<void()> restart{};
     /// Runs the command when the key goes down; an empty command ends it.
     std::function<std::string(const std::string& key, const std::string& command)> bind{};
     /// The word stands for the command; an empty command ends it.
@@ -102,12 +114,11 @@ struct ConsoleFunctions {
     /// file.
     std::function<void(const std::string& file, const std::string& text)> exec{};
     std::function<void()> clear{};
-    /// Writes the plot to a file; `kind` is "csv" or "png".
-    std::function<void(const std::string& kind)> export_plot{};
-    /// The selected instances, `it` last; and selects others.
-    std::function<std::vector<property::Handle>()> selection{};
-    std::function<std::string(const std::vector<property::Handle>&)> select{};
 };
+
+/// Called in the middle of a command or of a script; must not throw. Missing functions are refused.
+/// Those that return a text answer a command with it; "" if the person sees what has happened.
+struct ConsoleFunctions : ObservingFunctions, TimeFunctions, CommandFunctions {};
 
 }  // namespace fettle::script
 

@@ -11,7 +11,6 @@
 #include <keep/keep_by_path.h>
 #include <keep/keep_in_scene.h>
 #include <keep/keep_run.h>
-#include <scenes/scene_names.h>
 
 namespace fettle::property {
 
@@ -188,8 +187,8 @@ class Keeping {
         // A script made it, unless it is a new instance that is kept in the same file.
         const auto rows = scenes_.find(file);
         for (Handle at = target; at; at = run_.state.tree.parent(at))
-            if (const auto made = run_.state.created.find(at.key());
-                made != run_.state.created.end())
+            if (const auto made = run_.state.by_instance.created.find(at.key());
+                made != run_.state.by_instance.created.end())
                 return made->second->row.state != RowState::kept &&
                        std::find(rows->second.begin(), rows->second.end(), &made->second->row) !=
                            rows->second.end();

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <keep/scene_keeping.h>
-#include <scenes/scene_names.h>
 
 namespace fettle::property {
 
@@ -144,7 +143,7 @@ std::string unkept_parent(const KeepRun& run, const JournalRow& row) {
     };
     for (const JournalRow& made : run.state.earlier.rows)
         if (is_open(made)) return made.instance;
-    for (const auto& [handle, made] : run.state.created)
+    for (const auto& [handle, made] : run.state.by_instance.created)
         if (!made->gone && is_open(made->row)) return made->row.instance;
     return {};
 }

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include <keep/scene_keeping.h>
-#include <scenes/scene_names.h>
 
 namespace fettle::property {
 

@@ -35,7 +35,7 @@ void KeepRun::mark_restored(const Rows& rows) {
     for (const JournalRow* row : rows) {
         if (row->kind != Kind::restored || row->run != 0) continue;
         Tweaks::State::Entry& its = state.entry_of(*row);
-        Tweaks::State::Entry& deletion = *state.deleted.at(its.handle.key());
+        Tweaks::State::Entry& deletion = *state.by_instance.deleted.at(its.handle.key());
         deletion.gone = true;
         deletion.kept_version = 0;  // the file has it again
         state.touch(deletion);

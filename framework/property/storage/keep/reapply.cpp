@@ -278,11 +278,11 @@ Tweaks::State::Entry* Tweaks::State::entry_about(const JournalRow& row, Handle i
         }
         case Kind::created:
         case Kind::restored:
-            return found_in(created);
+            return found_in(by_instance.created);
         case Kind::deleted:
-            return found_in(deleted);
+            return found_in(by_instance.deleted);
         case Kind::moved:
-            return found_in(moved_entries);
+            return found_in(by_instance.moved);
     }
     return nullptr;
 }

@@ -10,7 +10,6 @@
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/game_files.h>
 
-#include <files/game_folders.h>
 #include <json/document.h>
 
 namespace fettle::property {

@@ -53,7 +53,7 @@ bool Tweaks::State::may_name(const Entry& entry) {
 
 void Tweaks::State::index(Entry& entry) {
     entry.saved = nullptr;
-    last_moment = nullptr;
+    moments.last = nullptr;
     if (may_name(entry))
         naming.insert(&entry);
     else

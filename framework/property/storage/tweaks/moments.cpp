@@ -1,7 +1,7 @@
 // The tweaks at the moment of the game: they follow it when it goes back in time, to another branch
-// or to a snapshot. An edit of a value that is not in that moment stays as it was: nobody loses it
-// by going back. Files do not go back: what was kept is in them at every moment, and what was
-// dropped stays dropped.
+// or to a snapshot. An edit of a value that is not in that moment stays as it was: going
+// back loses no edit of a value. Files do not go back: what was kept is in them at every moment,
+// and what was dropped stays dropped.
 
 #include <algorithm>
 #include <utility>
@@ -20,9 +20,9 @@ using RowState = JournalRow::State;
 EditMoment Tweaks::State::moment() {
     settle();
     make_fresh_entries();
-    if (last_moment != nullptr) return {last_moment, 0};
+    if (moments.last != nullptr) return {moments.last, 0};
     auto now = std::make_shared<Moment>();
-    now->of = mark;
+    now->of = moments.mark;
     std::size_t bytes = sizeof(Moment) + entries.size() * sizeof(now->entries[0]);
     now->entries.reserve(entries.size());
     for (const auto& each : entries) {
@@ -30,28 +30,28 @@ EditMoment Tweaks::State::moment() {
         if (its.away) continue;
         if (its.saved == nullptr) {
             const EntryState& state = its;
-            its.saved = std::make_shared<const SavedEntry>(SavedEntry{state, renames.size()});
+            its.saved =
+                std::make_shared<const SavedEntry>(SavedEntry{state, moments.renames.size()});
             bytes += sizeof(SavedEntry) + its.values.bytes() + its.scene.size() +
                      2 * (its.row.now.size() + its.row.was.size() + its.row.inside.size() +
                           its.row.instance.size() + its.row.file.size());
         }
         now->entries.push_back(its.saved);
     }
-    last_moment = std::move(now);
-    return {last_moment, bytes};
+    moments.last = std::move(now);
+    return {moments.last, bytes};
 }
 
 /// A state of a file or of another tree does not say which edits hold: all stay.
 void Tweaks::State::went_to(const std::shared_ptr<const void>& state) {
     auto to = std::static_pointer_cast<const Moment>(state);
-    if (to != nullptr && to->of == mark) pending = std::move(to);
+    if (to != nullptr && to->of == moments.mark) moments.pending = std::move(to);
 }
 
 void Tweaks::State::settle() {
-    const std::shared_ptr<const Moment> to = std::exchange(pending, nullptr);
-    if (to == nullptr || to == last_moment || tree_life.expired()) return;
+    const std::shared_ptr<const Moment> to = std::exchange(moments.pending, nullptr);
+    if (to == nullptr || to == moments.last || tree_life.expired()) return;
     fresh.clear();
-    is_in_fresh.clear();
     std::vector<bool> holds(entries.size());
     for (const auto& saved : to->entries) {
         const auto index_of = static_cast<std::size_t>(saved->state.row.number) - 1;
@@ -76,7 +76,7 @@ void Tweaks::State::settle() {
     by_key.clear();
     for (Entry* its : all)
         by_key[key_of(its->row.kind, its->row.instance, its->row.property)] = its;
-    last_moment = nullptr;
+    moments.last = nullptr;
     barriers_to_retry = 0;
 }
 
@@ -87,7 +87,7 @@ void Tweaks::State::put(Entry& its, const std::shared_ptr<const SavedEntry>& sav
     std::string kept_in = std::move(its.row.kept_in);
     static_cast<EntryState&>(its) = saved->state;
     its.row.kept_in = std::move(kept_in);
-    for (std::size_t i = saved->renames; i < renames.size(); ++i) renames[i](its);
+    for (std::size_t i = saved->renames; i < moments.renames.size(); ++i) moments.renames[i](its);
     its.row.state = state_now(its);
     if (its.row.state != RowState::kept && its.in_file) its.was = *its.in_file;
     index(its);
@@ -109,10 +109,10 @@ void Tweaks::State::leave_behind(Entry& its) {
 /// A person edits the instance, or adds to it: it is wanted at this moment, so deleting it or what
 /// it is in, at a later moment that was left, is not listed any more.
 void Tweaks::State::withdraw_left_deletions(Handle instance) {
-    if (deleted.empty()) return;
+    if (by_instance.deleted.empty()) return;
     for (Handle at = instance; at; at = tree.parent(at)) {
-        const auto found = deleted.find(at.key());
-        if (found == deleted.end() || found->second->left == nullptr) continue;
+        const auto found = by_instance.deleted.find(at.key());
+        if (found == by_instance.deleted.end() || found->second->left == nullptr) continue;
         const bool journaled = is_left_behind(*found->second);
         found->second->left->state = RowState::dropped;
         if (journaled) add_to_dirty(*found->second);
@@ -152,7 +152,8 @@ void Tweaks::State::leave(Entry& its) {
         its.row.state = RowState::open;
         its.row.now = tree.path(its.handle);
         its.gone = is_home(its);
-    } else if (its.row.kind != Kind::deleted || !in_file || created.contains(its.handle.key())) {
+    } else if (its.row.kind != Kind::deleted || !in_file ||
+               by_instance.created.contains(its.handle.key())) {
         its.gone = true;
     }
     index(its);
@@ -186,7 +187,7 @@ void Tweaks::State::add_to_dirty(Entry& its) {
 
 void Tweaks::State::rename_in_entries(std::function<void(Entry&)> rename) {
     for (const auto& each : entries) rename(*each);
-    renames.push_back(std::move(rename));
+    moments.renames.push_back(std::move(rename));
 }
 
 }  // namespace fettle::property

@@ -56,9 +56,9 @@ void Tweaks::State::set_state(JournalRow& row, RowState state) {
         return;
     }
     if (row.kind == Kind::value) its.in_file = its.now;
-    // A file that has lost an instance does not describe it any more, whoever had made it.
-    if (const auto made = created.find(its.handle.key());
-        row.kind == Kind::deleted && made != created.end())
+    // A file that has lost an instance does not describe it any more.
+    if (const auto made = by_instance.created.find(its.handle.key());
+        row.kind == Kind::deleted && made != by_instance.created.end())
         made->second->kept_version = 0;
 }
 

@@ -113,7 +113,7 @@ bool Tweaks::has_kept(Handle instance) const {
     State& state = usable();
     state.settle();
     for (Handle at = instance; at; at = state.tree.parent(at))
-        for (const auto* const known : {&state.created, &state.moved_entries})
+        for (const auto* const known : {&state.by_instance.created, &state.by_instance.moved})
             if (const auto found = known->find(at.key());
                 found != known->end() && !found->second->row.file.empty() &&
                 found->second->row.state == State::RowState::kept)

@@ -12,7 +12,6 @@
 
 #include <files/game_folders.h>
 #include <files/temporary_file.h>
-#include <scenes/scene_names.h>
 #include <tweaks/tweaks_state.h>
 
 namespace fettle::property {
@@ -131,19 +130,20 @@ bool Tweaks::State::attached(Handle instance) const {
 bool Tweaks::State::is_fresh(Handle instance) const {
     if (fresh.empty()) return false;
     for (Handle at = instance; at; at = tree.parent(at))
-        if (is_in_fresh.contains(at.key())) return true;
+        if (fresh.contains(at)) return true;
     return false;
 }
 
 Tweaks::State::Entry* Tweaks::State::created_above(Handle instance) const {
-    if (created.empty()) return nullptr;
+    if (by_instance.created.empty()) return nullptr;
     for (Handle at = instance; at; at = tree.parent(at)) {
-        if (const auto found = created.find(at.key()); found != created.end())
+        if (const auto found = by_instance.created.find(at.key());
+            found != by_instance.created.end())
             return !found->second->gone && found->second->row.state == RowState::open
                        ? found->second
                        : nullptr;
-        if (const auto moved = moved_entries.find(at.key());
-            moved != moved_entries.end() && !moved->second->gone)
+        if (const auto moved = by_instance.moved.find(at.key());
+            moved != by_instance.moved.end() && !moved->second->gone)
             return nullptr;  // it existed before
     }
     return nullptr;
@@ -184,7 +184,7 @@ void Tweaks::State::edited(Handle instance, const Property& property, const Cell
     if (property.transient || !attached(instance)) return;
     settle();
     if (is_fresh(instance)) return update_restored_values(instance, property);
-    if (!deleted.empty()) undelete_above(instance);
+    if (!by_instance.deleted.empty()) undelete_above(instance);
     if (Entry* creation = created_above(instance)) {
         creation->inside.emplace_back(instance, property.symbol);
         return touch(*creation);
@@ -223,12 +223,12 @@ void Tweaks::State::update_restored_values(Handle instance, const Property& prop
 void Tweaks::State::undelete_above(Handle instance) {
     withdraw_left_deletions(instance);
     for (Handle at = instance; at; at = tree.parent(at)) {
-        const auto found = deleted.find(at.key());
-        if (found == deleted.end() || found->second->gone) continue;
+        const auto found = by_instance.deleted.find(at.key());
+        if (found == by_instance.deleted.end() || found->second->gone) continue;
         // A kept deletion stays until what is back is kept. Its text must not be taken again here,
         // in the middle of an edit.
-        const auto back = restorations.find(at.key());
-        if (back != restorations.end() && !back->second->gone &&
+        const auto back = by_instance.restored.find(at.key());
+        if (back != by_instance.restored.end() && !back->second->gone &&
             back->second->row.state == RowState::open)
             continue;
         (void)undelete(*found->second);
@@ -239,8 +239,8 @@ void Tweaks::State::undelete_above(Handle instance) {
 /// back.
 void Tweaks::State::name_deleted(Image& image, const Value& value) const {
     if (!value.is(Type::reference) || !value.reference() || tree.alive(value.reference())) return;
-    const auto found = deleted.find(value.reference().key());
-    if (found == deleted.end()) return;
+    const auto found = by_instance.deleted.find(value.reference().key());
+    if (found == by_instance.deleted.end()) return;
     std::string text = "{\"reference\": ";
     append_quoted(text, path_of_deleted(value.reference()));
     image.value = text + "}";
@@ -250,7 +250,7 @@ void Tweaks::State::instance_created(Handle instance) {
     settle();
     if (attached(instance)) rename_mentions(path_of_deleted(instance), tree.path(instance));
     withdraw_left_deletions(instance);
-    if (is_in_fresh.insert(instance.key()).second) fresh.push_back(instance);
+    fresh.add(instance);
     barriers_to_retry = 0;
 }
 
@@ -258,40 +258,36 @@ void Tweaks::State::instance_deleting(Handle instance) {
     settle();
     if (attached(instance)) rename_mentions(tree.path(instance), path_of_deleted(instance));
     // An instance that was created since the last barrier leaves no entry.
-    if (is_in_fresh.erase(instance.key()) != 0) {
-        if (is_in_fresh.empty()) fresh.clear();  // otherwise deleted ones are skipped later
-        if (!created.contains(instance.key())) return;
-    }
-    if (is_fresh(instance) && !created.contains(instance.key())) return;
+    if (fresh.remove(instance) && !by_instance.created.contains(instance.key())) return;
+    if (is_fresh(instance) && !by_instance.created.contains(instance.key())) return;
     // A new instance below it comes back with it, and is deleted when its creation is undone.
     bool holds_new = false;
     if (!fresh.empty())
-        tree.each_below(instance, [&](Handle each) {
-            holds_new = holds_new || is_in_fresh.contains(each.key());
-        });
+        tree.each_below(instance,
+                        [&](Handle each) { holds_new = holds_new || fresh.contains(each); });
     if (holds_new) make_fresh_entries();
     if (attached(instance)) note_deletion(instance, tree.parent(instance), tree.path(instance));
 }
 
 /// Makes the tweaks of a deleted instance void until the deletion is undone.
 void Tweaks::State::note_deletion(Handle instance, Handle parent, const std::string& path) {
-    if (const auto made = created.find(instance.key());
-        made != created.end() && (made->second->row.state == RowState::open ||
-                                  made->second->kept_version == 0)) {  // no file has it
+    if (const auto made = by_instance.created.find(instance.key());
+        made != by_instance.created.end() && (made->second->row.state == RowState::open ||
+                                              made->second->kept_version == 0)) {  // no file has it
         make_void(path, {}, *made->second);
         made->second->gone = true;
         made->second->deletion = nullptr;  // it does not come back with another one
         return touch(*made->second);
     }
     if (taken_out_of_creation(instance, parent)) return;
-    const auto moved_before = moved_entries.find(instance.key());
-    const std::string home = moved_before != moved_entries.end() && !moved_before->second->gone
+    const auto moved_before = by_instance.moved.find(instance.key());
+    const std::string home = moved_before != by_instance.moved.end() && !moved_before->second->gone
                                  ? home_of(instance)
                                  : path_below(home_of(parent), split_path(path).second);
-    if (const auto again = restorations.find(instance.key());
-        again != restorations.end() && again->second->row.state == RowState::open &&
+    if (const auto again = by_instance.restored.find(instance.key());
+        again != by_instance.restored.end() && again->second->row.state == RowState::open &&
         !again->second->gone) {  // the file still contains the deletion
-        make_void(path, home, *deleted.at(instance.key()));
+        make_void(path, home, *by_instance.deleted.at(instance.key()));
         again->second->gone = true;
         return touch(*again->second);
     }
@@ -303,10 +299,11 @@ Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::st
                                                   const std::string& home) {
     // A new instance may replace one that a script makes, and the deletion of that one is a
     // separate entry.
-    const auto known = deleted.find(instance.key());
-    Entry& deletion = known != deleted.end()             ? *known->second
-                      : created.contains(instance.key()) ? add_entry(Kind::deleted, home, instance)
-                                                         : entry(Kind::deleted, home, {}, instance);
+    const auto known = by_instance.deleted.find(instance.key());
+    Entry& deletion = known != by_instance.deleted.end() ? *known->second
+                      : by_instance.created.contains(instance.key())
+                          ? add_entry(Kind::deleted, home, instance)
+                          : entry(Kind::deleted, home, {}, instance);
     const bool in_file = deletion.away && deletion.kept_version > 0;
     deletion.row.instance = home;
     deletion.row.now = path;
@@ -314,7 +311,7 @@ Tweaks::State::Entry& Tweaks::State::add_deletion(Handle instance, const std::st
     deletion.row.now_text = "deleted";
     deletion.gone = deletion.away = false;
     deletion.deletion = deletion.with = nullptr;
-    deleted[instance.key()] = &deletion;
+    by_instance.deleted[instance.key()] = &deletion;
     note_origin(deletion, instance);
     touch(deletion);
     if (in_file) {  // it was kept before the game went back
@@ -338,9 +335,9 @@ bool Tweaks::State::taken_out_of_creation(Handle instance, Handle parent) {
 /// describes it.
 void Tweaks::State::make_void(const std::string& path, const std::string& home, Entry& deletion) {
     std::vector<Entry*> affected = at_or_below(path);
-    if (!restorations.empty()) {
+    if (!by_instance.restored.empty()) {
         const InstanceMoves all = moves();
-        for (const auto& [of, restoration] : restorations)
+        for (const auto& [of, restoration] : by_instance.restored)
             if (is_at_or_below(all.now(restoration->row.instance), path))
                 affected.push_back(restoration);
         affected = in_order(std::move(affected));

@@ -59,29 +59,28 @@ void Tweaks::State::barrier() {
 /// Makes tweaks of the instances created since the last call. `moving`: an instance that was just
 /// moved below another parent, and existed before the new ones.
 void Tweaks::State::make_fresh_entries(Handle moving) {
-    const std::vector<Handle> created_now = std::move(fresh);
-    fresh.clear();
+    const FreshInstances made = std::exchange(fresh, {});
     std::unordered_set<std::uint64_t> seen;  // restored instances are in the list twice
-    for (const Handle instance : created_now) {
+    for (const Handle instance : made.in_order()) {
         if (!tree.alive(instance) || !attached(instance)) continue;
         if (!seen.insert(instance.key()).second) continue;
         // An instance below a new one is part of the tweak of the new one.
         bool inside = false;
         for (Handle at = tree.parent(instance); at && at != moving && !inside; at = tree.parent(at))
-            inside = is_in_fresh.contains(at.key());
-        const bool was_there = deleted.contains(instance.key()) || created.contains(instance.key());
+            inside = made.contains(at);
+        const bool was_there = by_instance.deleted.contains(instance.key()) ||
+                               by_instance.created.contains(instance.key());
         if (!inside || was_there) make_fresh_entry(instance);
     }
-    is_in_fresh.clear();
 }
 
 void Tweaks::State::make_fresh_entry(Handle instance) {
     const std::string path = tree.path(instance);
     if (undelete_if_deleted(instance)) return;
-    const auto known = created.find(instance.key());
+    const auto known = by_instance.created.find(instance.key());
     // The deletion or creation was undone. Instances made below it since then have their own tweaks
     // again and are not part of its scene.
-    if (known != created.end()) revive(*known->second);
+    if (known != by_instance.created.end()) revive(*known->second);
     Entry fresh_one;
     fresh_one.handle = instance;
     std::vector<std::string> warnings;
@@ -92,8 +91,9 @@ void Tweaks::State::make_fresh_entry(Handle instance) {
     }
     for (const std::string& warning : warnings) warn(warning);
     // Made again by redo: the game has changed its values meanwhile, a person has not.
-    if (known != created.end()) fresh_one.values.take_from(known->second->values);
-    Entry& its = known != created.end() ? *known->second : add_entry(Kind::created, path, instance);
+    if (known != by_instance.created.end()) fresh_one.values.take_from(known->second->values);
+    Entry& its = known != by_instance.created.end() ? *known->second
+                                                    : add_entry(Kind::created, path, instance);
     for (JournalRow& row : earlier.rows)  // it takes the place of one that was left behind
         if (row.run == JournalRow::left_behind && row.kind == Kind::created && row.instance == path)
             row.state = RowState::dropped;
@@ -104,7 +104,7 @@ void Tweaks::State::make_fresh_entry(Handle instance) {
     its.row.now_text = "new " + tree.class_of(instance).name();
     its.gone = its.away = false;
     its.inside.clear();
-    created[instance.key()] = &its;
+    by_instance.created[instance.key()] = &its;
     its.row.file.clear();
     its.row.inside.clear();
     origins.forget(tree, instance);  // its own tweak describes it completely
@@ -117,7 +117,7 @@ void Tweaks::State::make_fresh_entry(Handle instance) {
 void Tweaks::State::note_values(Entry& made, std::vector<std::string>* warnings) {
     const auto has_own = [&](Handle instance) {
         if (instance == made.handle) return false;
-        for (const auto* const known : {&created, &moved_entries})
+        for (const auto* const known : {&by_instance.created, &by_instance.moved})
             if (const auto its = known->find(instance.key());
                 its != known->end() && !its->second->gone)
                 return true;
@@ -129,8 +129,8 @@ void Tweaks::State::note_values(Entry& made, std::vector<std::string>* warnings)
 
 /// Whether the deletion of the instance was undone, so that no new entry is needed.
 bool Tweaks::State::undelete_if_deleted(Handle instance) {
-    const auto found = deleted.find(instance.key());
-    if (found == deleted.end() || found->second->gone) return false;
+    const auto found = by_instance.deleted.find(instance.key());
+    if (found == by_instance.deleted.end() || found->second->gone) return false;
     return undelete(*found->second);
 }
 
@@ -138,13 +138,13 @@ bool Tweaks::State::undelete_if_deleted(Handle instance) {
 bool Tweaks::State::undelete(Entry& deletion) {
     const bool in_file = deletion.row.state == RowState::kept;
     revive(deletion);
-    if (in_file && !created.contains(deletion.handle.key())) {
+    if (in_file && !by_instance.created.contains(deletion.handle.key())) {
         if (!is_home_of_another(deletion.row.instance, deletion.handle)) {
             restored(deletion.handle, deletion);
             return true;
         }
-        if (const auto moved = moved_entries.find(deletion.handle.key());
-            moved != moved_entries.end()) {
+        if (const auto moved = by_instance.moved.find(deletion.handle.key());
+            moved != by_instance.moved.end()) {
             moved->second->gone = true;
             touch(*moved->second);
         }
@@ -168,7 +168,7 @@ void Tweaks::State::restored(Handle instance, Entry& deletion) {
     its.row.file = deletion.row.file;
     its.row.inside = deletion.row.inside;
     its.gone = false;
-    restorations[instance.key()] = &its;
+    by_instance.restored[instance.key()] = &its;
     touch(its);
 }
 

@@ -19,9 +19,10 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     const bool is = attached(instance);
     const std::string old_path = was ? path_below(tree.path(old_parent), old_name) : std::string();
     if (was) rename_mentions(old_path, is ? tree.path(instance) : path_of_deleted(instance));
-    if (is_in_fresh.contains(instance.key())) return;
+    if (fresh.contains(instance)) return;
     // An instance inside a new one is part of its tweak, unless it has tweaks of its own.
-    const bool known = created.contains(instance.key()) || moved_entries.contains(instance.key());
+    const bool known =
+        by_instance.created.contains(instance.key()) || by_instance.moved.contains(instance.key());
     const bool into_new = is_fresh(instance), out_of_new = old_parent && is_fresh(old_parent);
     if (out_of_new && !known) return;
     if (into_new || out_of_new) make_fresh_entries(instance);
@@ -29,7 +30,7 @@ void Tweaks::State::moved(Handle instance, Handle old_parent, const std::string&
     if (!was) return;
     if (!is) return note_deletion(instance, old_parent, old_path);
     if (moved_with_creation(instance, old_parent, old_path)) return;
-    Entry*& its = moved_entries[instance.key()];
+    Entry*& its = by_instance.moved[instance.key()];
     const bool first = its == nullptr;
     if (first) its = &add_entry(Kind::moved, old_path, instance);
     Entry& move = *its;
@@ -56,11 +57,13 @@ bool Tweaks::State::is_home(const Entry& move) const {
 }
 
 bool Tweaks::State::deleted_by_path(const std::string& home) const {
-    return kept.deletes(home) || std::any_of(deleted.begin(), deleted.end(), [&](const auto& each) {
-               const Entry& its = *each.second;
-               return !its.gone && its.row.state == RowState::open && its.row.file.empty() &&
-                      its.row.instance == home;
-           });
+    return kept.deletes(home) ||
+           std::any_of(by_instance.deleted.begin(), by_instance.deleted.end(),
+                       [&](const auto& each) {
+                           const Entry& its = *each.second;
+                           return !its.gone && its.row.state == RowState::open &&
+                                  its.row.file.empty() && its.row.instance == home;
+                       });
 }
 
 /// Called when a deletion is undone: the instance may have another path now.
@@ -82,8 +85,8 @@ std::string Tweaks::State::home_of(Handle instance) const {
     std::vector<std::string> names;
     std::string home = "game";
     for (Handle at = instance; at && at != tree.root(); at = tree.parent(at)) {
-        const auto found = moved_entries.find(at.key());
-        if (found != moved_entries.end() && !found->second->gone &&
+        const auto found = by_instance.moved.find(at.key());
+        if (found != by_instance.moved.end() && !found->second->gone &&
             found->second->row.state != RowState::kept) {
             home = found->second->row.instance;
             break;
@@ -238,8 +241,8 @@ void Tweaks::State::rekey(Entry& its, const std::string& path) {
 /// parent. False if there is no open tweak that created the instance.
 bool Tweaks::State::moved_with_creation(Handle instance, Handle old_parent,
                                         const std::string& old_path) {
-    const auto known = created.find(instance.key());
-    if (known != created.end()) {
+    const auto known = by_instance.created.find(instance.key());
+    if (known != by_instance.created.end()) {
         Entry& made = *known->second;
         if (made.gone || made.row.state != RowState::open) return false;
         std::string quoted;

@@ -19,6 +19,7 @@
 #include <scenes/image.h>
 #include <scenes/scene_origins.h>
 #include <scenes/scene_text.h>
+#include <tweaks/fresh_instances.h>
 #include <tweaks/journal.h>
 #include <tweaks_file/instance_moves.h>
 #include <tweaks_file/kept_tweaks.h>
@@ -72,6 +73,17 @@ struct Tweaks::State : EditObserver {
     struct Moment {
         std::shared_ptr<const char> of;  // the mark of its `State`
         std::vector<std::shared_ptr<const SavedEntry>> entries;
+    };
+
+    struct Moments {
+        const std::shared_ptr<const char> mark = std::make_shared<const char>();
+        std::shared_ptr<const Moment> last;     // null: entries have changed since
+        std::shared_ptr<const Moment> pending;  // the game has gone there
+        std::vector<std::function<void(Entry&)>> renames;
+    };
+    /// The tweaks that are about an instance as a whole, by the `key` of the instance.
+    struct ByInstance {
+        std::unordered_map<std::uint64_t, Entry*> created, deleted, restored, moved;
     };
 
     /// Rows that earlier runs left in the journal, and those that are left behind.
@@ -241,16 +253,11 @@ struct Tweaks::State : EditObserver {
     std::multimap<std::string, Entry*> by_path;  // the present paths of what they are about
     std::unordered_set<Entry*> naming;           // those whose texts may name instances
     std::vector<Entry*> dirty;
-    std::vector<Handle> fresh;  // created since the last barrier, in order; some may be deleted
-    std::unordered_set<std::uint64_t> is_in_fresh;
-    // By instance (`key`).
-    std::unordered_map<std::uint64_t, Entry*> created, deleted, restorations, moved_entries;
+    FreshInstances fresh;
+    ByInstance by_instance;
     EarlierRows earlier;
     std::int64_t last_number = 0, last_version = 0;
-    const std::shared_ptr<const char> mark = std::make_shared<const char>();
-    std::shared_ptr<const Moment> last_moment;  // null: entries have changed since
-    std::shared_ptr<const Moment> pending;      // the game has gone there
-    std::vector<std::function<void(Entry&)>> renames;
+    Moments moments;
     /// Steps at which a script that was loaded again gave a value, by path.
     std::unordered_map<std::string, std::uint64_t> given_later;
     std::string last_failure;   // reported once

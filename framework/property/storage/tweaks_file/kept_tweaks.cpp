@@ -12,7 +12,6 @@
 #include <fettle/property/storage/scene.h>
 
 #include <json/unknown_keys.h>
-#include <scenes/scene_names.h>
 #include <values/scene_value.h>
 
 namespace fettle::property {

@@ -1,6 +1,5 @@
 // Applies kept tweaks from their file to the tree.
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 
