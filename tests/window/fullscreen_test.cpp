@@ -41,7 +41,7 @@ TEST_CASE("F11 and Alt and Enter change between fullscreen and the window") {
 
 TEST_CASE("Alt and Enter change to fullscreen and back under a window manager") {
     std::string missing = missing_tools();
-    if (!available("openbox")) missing += missing.empty() ? "openbox" : " and openbox";
+    if (!available("blackbox")) missing += missing.empty() ? "blackbox" : " and blackbox";
     if (!missing.empty()) {
         std::cout << "SKIPPED: " << missing << " not found\n";
         return;
@@ -50,7 +50,7 @@ TEST_CASE("Alt and Enter change to fullscreen and back under a window manager") 
     std::ofstream(folder.path / "main.lua")
         << "view.window:watch('fullscreen', function(on) print('fullscreen', on) end)\n"
            "print('ready')\n";
-    GameWindow game(folder.path, {}, "openbox");
+    GameWindow game(folder.path, {}, "blackbox");
     REQUIRE(game.prints("ready"));
     REQUIRE(game.eventually([&] { return !game.active_window().empty(); }));
     // The window that is opened gets the keyboard only after the keys have been let go.
