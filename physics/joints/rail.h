@@ -148,7 +148,8 @@ struct Rail {
     }
     Drive drive(const RailImpulses& impulses) {
         if (!coordinate.driven) return {};
-        return {&coordinate.motor.greatest, impulses.along.motor, along.direction, false};
+        return {&coordinate.motor.greatest, impulses.along.motor, along.direction, false,
+                coordinate.limited && coordinate.drives};
     }
     Vec2 force(const RailImpulses& impulses) const {
         return impulses.along.sum() * along.direction + impulses.across * across.direction;

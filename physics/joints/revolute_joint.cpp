@@ -100,7 +100,8 @@ struct RevoluteConstraint {
     }
     Drive drive() {
         if (!angle.driven) return {};
-        return {&angle.motor.greatest, impulses.angle.motor, {}, true};
+        return {
+            &angle.motor.greatest, impulses.angle.motor, {}, true, angle.limited && angle.drives};
     }
 
   private:
