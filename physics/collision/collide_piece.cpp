@@ -19,6 +19,11 @@ constexpr float most_next = 3.0f;
 /// contact pushes it out.
 constexpr float far_behind = 0.01f;
 
+/// What slides along an edge overlaps it by less than this, m.
+constexpr float rests_behind = 0.005f;
+/// A shape that is turned against an edge by less than this, rad, lies along it.
+constexpr float lying = 0.002f;
+
 /// The best of the edges that may push, and the separation along the inner edges.
 struct Axes {
     EdgeGap outer = {-1};
@@ -188,6 +193,11 @@ void collide_ellipse(const OutlinePiece& a, const EllipseForm& e, Vec2 offset, f
     }
     const int vertex = before ? edge : next;
     const Vec2 p = before ? v1 : v2;
+    if (axes.outer.separation > 0.0f && a.is_before_hollow(edge, deepest, rests_behind)) {
+        one_point(deepest - axes.outer.separation * n, n, axes.outer.separation, 0.0f, offset,
+                  margin, feature_of(edge, 254), m);
+        return;
+    }
     const RimPoint rim = nearest_on_rim(e, p - offset);
     if (a.decide(vertex, -rim.normal) != OutlinePiece::Verdict::pushes) {
         const float gap = axes.outer.separation;
@@ -243,6 +253,13 @@ class PolygonOnPiece {
         const auto lowest_of_b = [&](Vec2 n) { return lowest(b_, n) + dot(n, offset_); };
         const Axes on_a = axes_of(a_, lowest_of_b);
         if (on_a.greatest() > reach || on_a.outer.edge < 0) return;
+        collide_beyond(on_a, lowest_of_b);
+        if (piece_b_ == nullptr) reach_over_hollow(on_a.outer);
+    }
+
+  private:
+    void collide_beyond(const Axes& on_a, auto&& lowest_of_b) {
+        const float reach = b_.radius + margin_;
         const auto lowest_of_a = [&](Vec2 n) { return lowest(a_.form, n) - dot(n, offset_); };
         Axes on_b;
         if (piece_b_ != nullptr)
@@ -270,7 +287,6 @@ class PolygonOnPiece {
         if (m_.count == 0 && apart && piece_b_ == nullptr) push_with_corner(front);
     }
 
-  private:
     /// True if most of the other shape is in front of the plane of a one-sided segment.
     bool in_front(const OutlinePiece& piece, const Convex& other, Vec2 to_other) const {
         if (!piece.one_sided()) return true;
@@ -278,6 +294,29 @@ class PolygonOnPiece {
         const float low = lowest(other, n), high = -lowest(other, -n);
         const float counted = had_contact_ ? high + other.radius + far_behind : 0.5f * (low + high);
         return counted + dot(n, to_other) >= piece.form.offsets[0];
+    }
+
+    /// Pushes with the corner that is nearest to an edge, if it is before a hollow. See
+    /// `OutlinePiece::is_before_hollow`.
+    void reach_over_hollow(EdgeGap on_a) {
+        const float separation = on_a.separation - b_.radius;
+        if (!(separation > 0.0f)) return;
+        const Vec2 n = a_.form.normals[on_a.edge];
+        const int corner = farthest_vertex(b_, -n);
+        const Vec2 p = b_.vertices[corner] + offset_;
+        if (!a_.is_before_hollow(on_a.edge, p, b_.radius + rests_behind) ||
+            !in_front(a_, b_, offset_))
+            return;
+        Manifold m;
+        one_point(p - on_a.separation * n, n, on_a.separation, b_.radius, offset_, margin_,
+                  feature_of(on_a.edge, corner), m);
+        if (m.count == 0 || (m_.count > 0 && !(m_.normal == n))) return;
+        // A shape that lies along the edge touches it with its other end, too.
+        for (int k = 0; k < m_.count; ++k) {
+            const float more = m_.points[k].separation - separation;
+            if (more < lying * length(m_.points[k].anchor_a - m.points[0].anchor_a)) return;
+        }
+        m_ = m;
     }
 
     void push_with_edges(EdgeGap on_a, EdgeGap on_b) {

@@ -34,7 +34,7 @@ bool OutlinePiece::continues(int vertex) const {
     return !is_zero(limits_[2 * vertex]) && !is_zero(limits_[2 * vertex + 1]);
 }
 
-bool OutlinePiece::is_before_hollow(int edge, Vec2 point) const {
+bool OutlinePiece::is_before_hollow(int edge, Vec2 point, float depth) const {
     const int next = edge + 1 < form.count ? edge + 1 : 0;
     const Vec2 along = form.vertices[next] - form.vertices[edge];
     const float past_begin = dot(point - form.vertices[edge], along),
@@ -48,7 +48,7 @@ bool OutlinePiece::is_before_hollow(int edge, Vec2 point) const {
     const Vec2 first = limits_[2 * vertex], second = limits_[2 * vertex + 1];
     if (!(cross(first, second) < -flat_angle)) return false;
     const Vec2 normal = rotate(rotation_, before ? first : second);
-    return dot(normal, point - form.vertices[vertex]) > 0.0f;
+    return dot(normal, point - form.vertices[vertex]) > -depth;
 }
 
 int OutlinePiece::edge_at(int vertex, Vec2 direction) const {

@@ -45,8 +45,9 @@ class OutlinePiece {
     bool continues(int vertex) const;
     /// True if a point is beyond an end of an edge, and the outline is hollow there: a shape that
     /// slides along the next edge touches this edge before it is above it. The point is in front of
-    /// the next edge, and not farther away than the edge is long, or half a meter.
-    bool is_before_hollow(int edge, Vec2 point) const;
+    /// the next edge, or behind it by less than `depth`, and not farther away than the edge is
+    /// long, or half a meter.
+    bool is_before_hollow(int edge, Vec2 point, float depth = 0.0f) const;
     /// The edge of the outline at a vertex with the normal nearest to `direction`; -1 if neither
     /// edge is on the outline.
     int edge_at(int vertex, Vec2 direction) const;

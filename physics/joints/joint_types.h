@@ -68,7 +68,7 @@ class JointFunctions {
 
     static uint8_t prepare(const JointSource& source, JointArray& array, const JointStep& step,
                            JointRange range) {
-        bool pulls_hard = false, presses = false;
+        bool pulls_hard = false, presses = false, is_strong = false;
         for (size_t i = range.begin; i < range.end; ++i) {
             const JointRecord& joint = source.objects.joints[array.joints[i]];
             Constraint& c = *std::construct_at(array.as<Constraint>() + i);
@@ -81,10 +81,14 @@ class JointFunctions {
             c.prepare(joint.settings.as<Settings>(), source.frame_of(joint), step, a, b);
             pulls_hard |= GeometricStiffness::may_be_too_great(c.ends, joint.force, a, b, step.h) ||
                           may_be_obstructed(joint.force, a, b, step.h);
-            if constexpr (has_motor) presses = presses || may_press(c.drive(), a, b);
+            if constexpr (has_motor) {
+                const Drive drive = c.drive();
+                presses = presses || may_press(drive, a, b);
+                is_strong = is_strong || load_of_drive(drive, a, b) > 0;
+            }
             if constexpr (has_length) presses |= c.pull_now().too_long;
         }
-        return uint8_t((pulls_hard ? pull : 0) | (presses ? press : 0));
+        return uint8_t((pulls_hard ? pull : 0) | (presses ? press : 0) | (is_strong ? strong : 0));
     }
 
     /// Calls `act(constraint, a, b)`. Other threads may read a body that does not move, so such a

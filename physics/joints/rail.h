@@ -149,7 +149,8 @@ struct Rail {
     }
     Drive drive(const RailImpulses& impulses) {
         if (!coordinate.drives) return {};
-        return {&coordinate.motor.greatest, impulses.along.motor, along.direction, false};
+        return {&coordinate.motor.greatest, impulses.along.motor, along.direction, false,
+                coordinate.limited};
     }
     Vec2 force(const RailImpulses& impulses) const {
         return impulses.along.sum() * along.direction + impulses.across * across.direction;

@@ -100,7 +100,7 @@ struct RevoluteConstraint {
     }
     Drive drive() {
         if (!angle.drives) return {};
-        return {&angle.motor.greatest, impulses.angle.motor, {}, true};
+        return {&angle.motor.greatest, impulses.angle.motor, {}, true, angle.limited};
     }
 
   private:

@@ -55,6 +55,7 @@ struct Drive {
     float impulse = 0.0f;       ///< of the last sub-step; positive pushes body b as below
     Vec2 along;                 ///< the direction in which it pushes body b
     bool turns = false;         ///< it turns body b about its anchor instead
+    bool limited = false;       ///< it drives a coordinate that has limits
 
     static Drive of_force(float& greatest, Vec2 impulse) {
         const float size = length(impulse);
@@ -72,8 +73,9 @@ struct Pull {
 
 /// What the force of a joint may concern. Bits.
 enum HardPush : uint8_t {
-    pull = 1,  ///< solver/joints/geometric_stiffness.h and solver/joints/obstructed_joints.h
-    press = 2  ///< only the latter: a strong motor, or a rope that is too long
+    pull = 1,   ///< solver/joints/geometric_stiffness.h and solver/joints/obstructed_joints.h
+    press = 2,  ///< only the latter: a motor that presses, or a rope that is too long
+    strong = 4  ///< a motor with limits is so strong that its joint counts as loaded
 };
 
 struct JointKind {

@@ -49,6 +49,9 @@ constexpr LoadSettings settings_of_load[JointScratch::loads] = {{0.0f, 60.0f, 0.
                                                                 {10.0f, 120.0f, 0.5f, 4, 16.0f},
                                                                 {100.0f, 240.0f, 1.0f, 16, 64.0f}};
 
+/// A single strong motor comes to rest in one sweep.
+constexpr uint32_t least_motors = 2;
+
 /// The speed at which a rod, a rope or a limit closes a gap, m/s, if the load allows no greater
 /// one.
 constexpr float least_length_speed = 16.0f;
@@ -190,6 +193,50 @@ struct JointLists {
         });
     }
 
+    /// Raises the load of the joints of arms with several strong motors, see `load_of_drive`. True
+    /// if there are any. The constraints must be prepared.
+    bool raise_driven() {
+        UnionFind components;
+        components.reset(bodies.solver_bodies.size());
+        struct Driven {
+            uint8_t load = 0;
+            uint32_t motors = 0;
+        };
+        const auto ends_of = [&](const JointKind& kind, JointArray& array, size_t k) {
+            const JointEnds& ends = kind.ends(array, k);
+            return std::pair(ends.a, ends.b);
+        };
+        const auto moving = [&](uint32_t a, uint32_t b) {
+            return moves(bodies.solver_bodies[a]) ? a : b;
+        };
+        for_each_acting_joint(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
+            const auto [a, b] = ends_of(kind, array, k);
+            if (moves(bodies.solver_bodies[a]) && moves(bodies.solver_bodies[b]))
+                components.unite(a, b);
+        });
+        std::vector<Driven> all(bodies.solver_bodies.size());
+        for_each_acting_joint(joints, [&](const JointKind& kind, JointArray& array, size_t k) {
+            if (kind.drive == nullptr) return;
+            const auto [a, b] = ends_of(kind, array, k);
+            const uint8_t load = load_of_drive(kind.drive(array, k), bodies.solver_bodies[a],
+                                               bodies.solver_bodies[b]);
+            if (load == 0) return;
+            Driven& driven = all[components.find(moving(a, b))];
+            driven.load = std::max(driven.load, load);
+            ++driven.motors;
+        });
+        bool any = false;
+        for_each([&](size_t, uint32_t joint, uint8_t& code) {
+            if (code == 0 || class_of(code) >= JointScratch::loads) return;
+            const auto [a, b] = indices_of(joint);
+            const Driven& driven = all[components.find(moving(a, b))];
+            if (driven.motors < least_motors || driven.load <= class_of(code)) return;
+            code = uint8_t((code & ~load_bits) | driven.load * one_load);
+            any = true;
+        });
+        return any;
+    }
+
     /// Lists the joints that act, in the order of their nodes. Most arrays are empty and stay so:
     /// nothing is done for them, since a small world would need more time for that than for its
     /// joints.
@@ -286,8 +333,14 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     if (heavy) lists.spread_loads();
     lists.fill();
     soften_tuned(objects, joints, h);
+    uint8_t hard = write_constraints(source, joints, step, threads);
+    if ((hard & strong) != 0 && lists.raise_driven()) {
+        lists.fill();
+        soften_tuned(objects, joints, h);
+        hard = write_constraints(source, joints, step, threads);
+    }
+    hard &= uint8_t(~strong);
     bodies.strained.clear();
-    const uint8_t hard = write_constraints(source, joints, step, threads);
     if ((hard & pull) != 0) raise_inertia(source, step, joints, bodies);
     if (hard != 0 || may_have_no_solution(bodies, solver))
         yield_to_obstacles(source, step, joints, solver, bodies.strained);

@@ -71,6 +71,19 @@ struct JointSource {
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          BodyScratch& bodies, JointScratch& joints, float h, float impulse_ratio,
                          float contact_hertz, Solver solver, ThreadPool* threads);
+/// The load as which a motor with limits counts, by the speed that it could give its bodies in a
+/// sub-step. An arm of several links whose motors press against their limits is solved one joint
+/// after the other: where a motor undoes in one sweep what its neighbors need, the arm never comes
+/// to rest, unless there are more sweeps.
+inline uint8_t load_of_drive(const Drive& drive, const SolverBody& a, const SolverBody& b) {
+    constexpr float fast = 20.0f, very_fast = 500.0f;  // m/s or rad/s
+    if (drive.greatest == nullptr || !drive.limited) return 0;
+    const float inverse =
+        drive.turns ? a.inverse_inertia + b.inverse_inertia : a.inverse_mass + b.inverse_mass;
+    const float speed = *drive.greatest * inverse;
+    return speed > very_fast ? 2 : speed > fast ? 1 : 0;
+}
+
 /// Passes the bodies with joints to `JointShare`.
 void find_jointed(const ObjectState& objects, JointScratch& joints, const Strips& strips);
 
