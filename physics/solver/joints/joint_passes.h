@@ -76,7 +76,7 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
 /// after the other: where a motor undoes in one sweep what its neighbors need, the arm never comes
 /// to rest, unless there are more sweeps.
 inline uint8_t load_of_drive(const Drive& drive, const SolverBody& a, const SolverBody& b) {
-    constexpr float fast = 20.0f, very_fast = 500.0f;  // m/s or rad/s
+    constexpr float fast = 0.3f, very_fast = 5.0f;  // m/s or rad/s
     if (drive.greatest == nullptr || !drive.limited) return 0;
     const float inverse =
         drive.turns ? a.inverse_inertia + b.inverse_inertia : a.inverse_mass + b.inverse_mass;
