@@ -47,6 +47,10 @@ Violations public_header_violations(const SourceTree& tree);
 /// library exports nothing else.
 Violations unmarked_declarations(const SourceTree& tree);
 
+/// A public header marks a class that it only declares and other code of the library defines as
+/// FETTLE_<PART>_PRIVATE: a shared library would export it. A lambda is no value of a member.
+Violations exported_by_accident(const SourceTree& tree);
+
 /// A private header is included only by its own part, by tests and by benchmarks.
 Violations borrowed_private_headers(const SourceTree& tree);
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include <fettle/app/services.h>  // declares the class, which is not exported
 #include <fettle/app/view.h>
 #include <fettle/property/painter.h>
 #include <fettle/property/tree.h>

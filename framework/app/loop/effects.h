@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fettle/app/effect.h>
+#include <fettle/app/services.h>  // declares the class, which is not exported
 #include <fettle/app/view.h>
 #include <fettle/property/storage/assets.h>
 #include <fettle/property/tree.h>

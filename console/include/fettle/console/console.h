@@ -122,7 +122,7 @@ std::filesystem::path default_autoexec_file();
 
 /// What the console of the next run in the same window goes on with: the log, and whether the
 /// player sees it.
-struct Continuation;
+struct FETTLE_CONSOLE_PRIVATE Continuation;
 
 /// The console and the inspector, as a layer over a game. The grave key opens it.
 class Console : public app::Layer {

@@ -16,8 +16,8 @@ FETTLE_APP_BEGIN
 
 namespace fettle::app {
 
-class Cameras;
-class Effects;
+class FETTLE_APP_PRIVATE Cameras;
+class FETTLE_APP_PRIVATE Effects;
 
 /// Owns the values of the services and adds them to a tree. Order of construction: tree, services,
 /// runtime. The destructor deletes the instances of the services, with everything below them; if

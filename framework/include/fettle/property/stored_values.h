@@ -9,8 +9,6 @@ FETTLE_PROPERTY_BEGIN
 
 namespace fettle::property {
 
-class StoredColumns;
-
 /// Reads as `Tree::peek` does: a value whose formula fails is its last valid value, and nothing
 /// becomes a dependency of a formula. Made for functions that draw. Invalid once the instance is
 /// deleted, its class is redefined, or a snapshot is restored.

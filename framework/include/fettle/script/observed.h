@@ -17,6 +17,9 @@ FETTLE_SCRIPT_BEGIN
 
 namespace fettle::script {
 
+/// For an observed value without formulas. A lambda in its place would be exported.
+inline void compute_nothing() {}
+
 /// A path or an expression given as text, or a function.
 struct Observed {
     std::string text;  // "world.ball.mass > 5"; the source of a function, as far as it is known
@@ -27,7 +30,7 @@ struct Observed {
     std::function<property::Value()> value;
     /// Computes the formulas of the properties that the text names, which `value` must not do: it
     /// would read their last results. Not to be called while the past is shown.
-    std::function<void()> compute_formulas = [] {};
+    std::function<void()> compute_formulas = compute_nothing;
     /// Whether it was given as a function: its text does not contain the variables that it uses, so
     /// the text alone does not mean the same.
     bool is_function() const { return text.starts_with("function"); }
