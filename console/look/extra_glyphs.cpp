@@ -27,7 +27,7 @@ constexpr char32_t first_stand_in = 0x3400, last_stand_in = 0x4dbf, replacement 
 bool needs_stand_in(char32_t c) {
     const bool is_one = c >= first_stand_in && c <= last_stand_in;
     const bool private_use = c >= 0xe000 && c <= 0xf8ff;
-    return compat::pictures_of_glyphs && (c > 0xffff || is_one || private_use);
+    return c > 0xffff || is_one || private_use;
 }
 
 /// Whether a text may have characters that need stand-ins, by the first bytes of those.
@@ -44,6 +44,22 @@ const ImWchar* ExtraGlyphs::always() {
     return glyphs;
 }
 
+const ImWchar* ExtraGlyphs::others() {
+    static const std::vector<ImWchar> ranges = [] {
+        std::vector<ImWchar> all;
+        bool inside = false;
+        for (char32_t c = ' '; c <= 0xffff; ++c) {
+            const bool other = !is_always_there(c) || cells_of(c) == 0;
+            if (other && !inside) all.insert(all.end(), 2, static_cast<ImWchar>(c));
+            if (other) all.back() = static_cast<ImWchar>(c);
+            inside = other;
+        }
+        all.push_back(0);
+        return all;
+    }();
+    return ranges.data();
+}
+
 const std::vector<const char*>& ExtraGlyphs::fallbacks() {
     static const std::vector<const char*> files = [] {
         std::vector<const char*> all = {"DejaVuSans.ttf"};
@@ -54,6 +70,7 @@ const std::vector<const char*>& ExtraGlyphs::fallbacks() {
 }
 
 void ExtraGlyphs::look(std::string_view text) {
+    if constexpr (compat::glyphs_on_demand) return;
     for (std::size_t i = 0; i < text.size(); i = next_code_point(text, i)) {
         if (static_cast<unsigned char>(text[i]) < 0xc0) continue;
         const char32_t c = code_point_at(text, i);
@@ -114,13 +131,12 @@ void ExtraGlyphs::prepare() {
     wide_.clear();
     pictured_.clear();
     placed_.clear();
+    painters_.clear();
     for (const char32_t c : seen_) {
-        if (compat::pictures_of_glyphs &&
-            (needs_stand_in(c) || cells_of(c) == 0 || pictures_.colored(c))) {
+        if (needs_stand_in(c) || cells_of(c) == 0 || pictures_.colored(c)) {
             pictured_.push_back(c);
             continue;
         }
-        if (c > IM_UNICODE_CODEPOINT_MAX) continue;
         std::vector<ImWchar>& ranges = cells_of(c) == 2 ? wide_ : narrow_;
         ranges.insert(ranges.end(), 2, static_cast<ImWchar>(c));
     }
@@ -145,11 +161,31 @@ void ExtraGlyphs::add_file(ImFontAtlas& atlas, const char* file, float size, flo
 
 void ExtraGlyphs::add_to_last_font(ImFontAtlas& atlas, const char* own_file, float size,
                                    float cell) {
+    if constexpr (compat::glyphs_on_demand) {
+        const auto paint = [this, own_file, size, cell, painted = std::size_t{0}](
+                               ImWchar code, float high) mutable {
+            return painted++ < most ? this->paint(code, own_file, high, cell * high / size)
+                                    : std::nullopt;
+        };
+        painters_.push_back(std::make_unique<compat::PaintGlyph>(paint));
+        compat::add_painted(atlas, *painters_.back(), size);
+        return;
+    }
     if (seen_.empty()) return;
     add_file(atlas, own_file, size, cell);
     for (const char* const file : fallbacks())
         if (std::string_view(file) != own_file) add_file(atlas, file, size, cell);
     add_pictures(atlas, size, cell);
+}
+
+std::optional<GlyphPictures::Picture> ExtraGlyphs::paint(ImWchar code, const char* own_file,
+                                                         float size, float cell) {
+    const bool stands = code >= first_stand_in && code - first_stand_in < stand_for_.size();
+    const char32_t c = stands ? stand_for_[code - first_stand_in] : char32_t{code};
+    if (c < ' ') return std::nullopt;
+    auto picture = pictures_.draw(c, size, cell, own_file);
+    if (!picture && stands) picture = pictures_.draw(replacement, size, cell, own_file);
+    return picture;
 }
 
 void ExtraGlyphs::add_pictures(ImFontAtlas& atlas, float size, float cell) {

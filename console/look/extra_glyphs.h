@@ -1,6 +1,8 @@
 #pragma once
 // Characters that the fonts are not built with at first, such as Chinese ones and emoji: they are
 // added when a text with them is drawn. All of them at once would take a texture of many megabytes.
+// Until version 1.92, Dear ImGui makes all glyphs of a font together, so the fonts are built again
+// when there are new characters. Since then it asks for each one when it is drawn first.
 //
 // A character of Debian's Dear ImGui has 16 bits. So each character beyond U+FFFF gets a stand-in
 // when it is seen first, from a range of rare Chinese characters (U+3400 to U+4DBF). Dear ImGui
@@ -9,6 +11,8 @@
 // for private use, because Dear ImGui drops them from what is typed and pasted.
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -17,6 +21,7 @@
 #include <imgui.h>
 
 #include <look/glyph_pictures.h>
+#include <look/imgui_compat.h>
 
 namespace fettle::console {
 
@@ -28,6 +33,8 @@ class ExtraGlyphs {
     /// punctuation, superscripts, currency, letterlike, arrows, mathematics, box drawing, geometric
     /// shapes, dingbats.
     static const ImWchar* always();
+    /// The ranges of all characters but those and control characters; they end with 0.
+    static const ImWchar* others();
     /// Files of fonts that have what the others lack, the best first.
     static const std::vector<const char*>& fallbacks();
     /// The glyphs of the current context.
@@ -60,12 +67,16 @@ class ExtraGlyphs {
     void look(std::string_view text);
     void add_file(ImFontAtlas& atlas, const char* file, float size, float cell);
     void add_pictures(ImFontAtlas& atlas, float size, float cell);
+    /// The picture of a character that Dear ImGui asks for; nothing if no font has it.
+    std::optional<GlyphPictures::Picture> paint(ImWchar code, const char* own_file, float size,
+                                                float cell);
 
     std::set<char32_t> seen_;
     bool changed_ = false;
     std::vector<ImWchar> narrow_, wide_;  // ranges, which the atlas keeps pointers to
     std::vector<char32_t> pictured_;      // characters that are added as pictures
     std::vector<Placed> placed_;
+    std::vector<std::unique_ptr<compat::PaintGlyph>> painters_;  // where glyphs come on demand
     GlyphPictures pictures_;
     std::map<char32_t, ImWchar> stand_ins_;
     std::vector<char32_t> stand_for_;  // the character of each stand-in

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include <fettle/property/storage/font_files.h>
@@ -109,9 +110,15 @@ struct GlyphPictures::Faces {
         if (file.empty() || FT_New_Face(library, file.c_str(), 0, &face) != 0) return nullptr;
         return face;
     }
-    /// Null if none has the character.
-    FT_Face with(char32_t character) const {
+    /// Null if none has the character. `first`: a file, or null.
+    FT_Face with(char32_t character, const char* first) {
         if (color != nullptr && FT_Get_Char_Index(color, character) != 0) return color;
+        if (first != nullptr) {
+            auto [at, is_new] = named.try_emplace(first);
+            if (is_new) at->second = open(first);
+            if (at->second != nullptr && FT_Get_Char_Index(at->second, character) != 0)
+                return at->second;
+        }
         for (const FT_Face face : outlines)
             if (FT_Get_Char_Index(face, character) != 0) return face;
         return nullptr;
@@ -120,6 +127,7 @@ struct GlyphPictures::Faces {
     FT_Library library = nullptr;
     FT_Face color = nullptr;
     std::vector<FT_Face> outlines;
+    std::map<std::string, FT_Face> named;  // null: not installed
 };
 
 GlyphPictures::GlyphPictures() = default;
@@ -136,19 +144,19 @@ bool GlyphPictures::colored(char32_t character) {
 }
 
 std::optional<GlyphPictures::Picture> GlyphPictures::draw(char32_t character, float size,
-                                                          float cell) {
+                                                          float cell, const char* first) {
     Picture picture;
     const int cells = cells_of(character);
     if (cells == 0) {  // it only joins or changes its neighbors
         picture.rgba.assign(4, 0);
         return picture;
     }
-    const FT_Face face = faces().with(character);
+    const FT_Face face = faces().with(character, first);
     if (face == nullptr) return std::nullopt;
     // `size` is the height from the ascender to the descender, as in Dear ImGui.
     FT_Size_RequestRec request{FT_SIZE_REQUEST_TYPE_REAL_DIM, 0, std::lround(size * 64), 0, 0};
     if ((FT_IS_SCALABLE(face) ? FT_Request_Size(face, &request) : FT_Select_Size(face, 0)) != 0 ||
-        FT_Load_Char(face, character, FT_LOAD_RENDER | FT_LOAD_COLOR) != 0)
+        FT_Load_Char(face, character, FT_LOAD_RENDER | FT_LOAD_COLOR | FT_LOAD_NO_HINTING) != 0)
         return std::nullopt;
     const FT_GlyphSlot slot = face->glyph;
     picture.colored = slot->bitmap.pixel_mode == FT_PIXEL_MODE_BGRA;

@@ -27,9 +27,10 @@ class GlyphPictures {
     /// Whether an installed font has a colored picture of the character.
     bool colored(char32_t character);
     /// `size`: the height of the line in pixels. `cell`: the width of a character; a wide one gets
-    /// twice that; 0: the width that the font gives. Nothing if no installed font has the
-    /// character.
-    std::optional<Picture> draw(char32_t character, float size, float cell);
+    /// twice that; 0: the width that the font gives. `first`: the file of the font that is asked
+    /// before the fallbacks. Nothing if no installed font has the character.
+    std::optional<Picture> draw(char32_t character, float size, float cell,
+                                const char* first = nullptr);
 
   private:
     struct Faces;

@@ -20,6 +20,7 @@ ImFont* add_font(ImFontAtlas& atlas, ExtraGlyphs& extra, const char* name, float
     config.OversampleH = 1;  // whole pixels keep a fixed-width font sharp
     config.OversampleV = 1;
     config.PixelSnapH = true;
+    compat::leave_out(config, ExtraGlyphs::others());
     ImFont* const font =
         atlas.AddFontFromFileTTF(file.c_str(), size, &config, ExtraGlyphs::always());
     extra.add_to_last_font(atlas, name, size, cell);
@@ -154,6 +155,7 @@ void ImGuiBackend::close_menus() {
 void ImGuiBackend::build_fonts(float font_size) {
     ImGuiIO& io = ImGui::GetIO();
     font_size_ = font_size;
+    if (const auto texture = compat::replaced_texture(); texture != 0) replaced_ = texture;
     io.Fonts->Clear();
     extra_.prepare();
     // A character of DejaVu Sans Mono is 1233/2384 of the font size wide, rounded to whole pixels.
@@ -191,8 +193,12 @@ void ImGuiBackend::draw(app::Surface& surface) {
     activate();
     ImDrawData* data = ImGui::GetDrawData();
     if (data == nullptr) return;
-    compat::update_textures(*data, surface, textures_on_ != &surface || fonts_changed_);
-    if (textures_on_ != &surface) pictures_.change_surface();
+    compat::update_textures(*data, surface, textures_on_ != &surface, fonts_changed_);
+    if (textures_on_ != &surface)
+        pictures_.change_surface();
+    else if (replaced_ != 0)
+        surface.destroy_texture(replaced_);
+    replaced_ = 0;
     textures_on_ = &surface;
     fonts_changed_ = false;
     for (int i = 0; i < data->CmdListsCount; ++i) draw_list(*data->CmdLists[i], surface);

@@ -63,6 +63,7 @@ class ImGuiBackend {
     float font_size_ = 0;
     app::Surface* textures_on_ = nullptr;
     bool fonts_changed_ = false;
+    app::Surface::Texture replaced_ = 0;  // that of the fonts before
     std::vector<app::SurfaceVertex> vertices_;
     std::vector<std::uint16_t> indices_;
 };

@@ -9,10 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include <fettle/app/surface.h>
+
+#include <look/glyph_pictures.h>
 
 namespace fettle::console::compat {
 
@@ -144,6 +148,11 @@ inline bool pressed(ImGuiKey key, bool repeated = false) {
 inline bool disabled() {
     return (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
 }
+/// Whether a widget became active in the last frame.
+inline bool keyboard_moved() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    return context.ActiveId != 0 && context.ActiveIdIsJustActivated;
+}
 /// Takes the keyboard away from the active widget.
 inline void release_keyboard() {
     ImGui::ClearActiveID();
@@ -172,10 +181,15 @@ class Recovery {
         ImGui::ErrorRecoveryStoreState(&before_);
     }
     void recover() const {
-        bool& asserts = ImGui::GetIO().ConfigErrorRecoveryEnableAssert;
-        const bool asserted = std::exchange(asserts, false);
+        // Otherwise each of them is reported: the program ends, prints, or shows a tooltip.
+        ImGuiIO& io = ImGui::GetIO();
+        const bool asserts = std::exchange(io.ConfigErrorRecoveryEnableAssert, false);
+        const bool prints = std::exchange(io.ConfigErrorRecoveryEnableDebugLog, false);
+        const bool shows = std::exchange(io.ConfigErrorRecoveryEnableTooltip, false);
         ImGui::ErrorRecoveryTryToRecoverState(&before_);
-        asserts = asserted;
+        io.ConfigErrorRecoveryEnableAssert = asserts;
+        io.ConfigErrorRecoveryEnableDebugLog = prints;
+        io.ConfigErrorRecoveryEnableTooltip = shows;
     }
 
   private:
@@ -244,11 +258,69 @@ inline void clipboard(void* user, ReadClipboard read, WriteClipboard write) {
 
 #endif
 
+/// Draws the picture of a character for a line `size` pixels high; nothing: another font has it.
+using PaintGlyph = std::function<std::optional<GlyphPictures::Picture>(ImWchar code, float size)>;
+
 #if IMGUI_VERSION_NUM >= 19200
 
-/// Whether a glyph may be a picture. Since 1.92 it may not: glyphs are made when they are drawn,
-/// and only from the files of the fonts.
-inline constexpr bool pictures_of_glyphs = false;
+/// Whether a glyph is made when it is needed first. Before 1.92, all are made before the first
+/// frame with them.
+inline constexpr bool glyphs_on_demand = true;
+
+/// What a font file is used for: all but these ranges, at most 32 that end with 0.
+inline void leave_out(ImFontConfig& config, const ImWchar* ranges) {
+    config.GlyphExcludeRanges = ranges;
+}
+inline bool load_glyph(ImFontAtlas* atlas, ImFontConfig* source, ImFontBaked* baked, void*,
+                       ImWchar code, ImFontGlyph* glyph, float* only_advance) {
+    const PaintGlyph* paint = nullptr;
+    std::memcpy(&paint, source->FontData, sizeof paint);
+    const auto picture = (*paint)(code, baked->Size);
+    if (!picture) return false;
+    if (only_advance != nullptr) {
+        *only_advance = picture->advance;
+        return true;
+    }
+    const ImFontAtlasRectId place = ImFontAtlasPackAddRect(atlas, picture->width, picture->height);
+    if (place == ImFontAtlasRectId_Invalid) return false;
+    glyph->Codepoint = code;
+    glyph->AdvanceX = picture->advance;
+    glyph->X0 = picture->left;
+    glyph->Y0 = picture->top;
+    glyph->X1 = picture->left + static_cast<float>(picture->width);
+    glyph->Y1 = picture->top + static_cast<float>(picture->height);
+    glyph->Visible = 1;
+    glyph->Colored = picture->colored ? 1 : 0;
+    glyph->PackId = place;
+    ImFontAtlasBakedSetFontGlyphBitmap(atlas, baked, source, glyph,
+                                       ImFontAtlasPackGetRect(atlas, place), picture->rgba.data(),
+                                       ImTextureFormat_RGBA32, picture->width * 4);
+    return true;
+}
+/// Characters that the files of the last font lack are painted. `paint` must exist as long as the
+/// fonts do.
+inline void add_painted(ImFontAtlas& atlas, const PaintGlyph& paint, float size) {
+    static const ImFontLoader loader = [] {
+        ImFontLoader made;
+        made.Name = "pictures";
+        made.FontBakedLoadGlyph = load_glyph;
+        return made;
+    }();
+    const PaintGlyph* const at = &paint;
+    ImFontConfig config;
+    config.MergeMode = true;
+    config.PixelSnapH = true;
+    config.SizePixels = size;
+    config.FontLoader = &loader;
+    config.FontData = const_cast<const PaintGlyph**>(&at);  // the atlas copies the pointer
+    config.FontDataSize = sizeof at;
+    config.FontDataOwnedByAtlas = false;
+    atlas.AddFont(&config);
+}
+/// The texture that new fonts will replace; 0: Dear ImGui destroys it by itself.
+inline app::Surface::Texture replaced_texture() {
+    return 0;
+}
 inline int add_glyph(ImFontAtlas&, ImFont*, ImWchar, int, int, float, ImVec2) {
     return 0;
 }
@@ -260,16 +332,21 @@ inline void prepare_textures(ImGuiIO& io) {
 inline app::Surface::Texture texture_of(const ImDrawCmd& command) {
     return surface_texture(command.GetTexID());
 }
-/// Updates the textures of the surface before drawing. `stale`: the surface has changed, or the
-/// fonts were built again.
-inline void update_textures(ImDrawData& data, app::Surface& surface, bool stale) {
+/// Updates the textures of the surface before drawing. `changed`: it is another one than for the
+/// last frame, and has none of them.
+inline void update_textures(ImDrawData& data, app::Surface& surface, bool changed, bool) {
     if (data.Textures == nullptr) return;
     for (ImTextureData* texture : *data.Textures) {
         auto width = static_cast<unsigned>(texture->Width);
         auto height = static_cast<unsigned>(texture->Height);
         auto known = surface_texture(texture->TexID);
-        if (texture->Status == ImTextureStatus_WantCreate ||
-            (stale && texture->Status == ImTextureStatus_OK)) {
+        if (texture->Status == ImTextureStatus_WantDestroy) {
+            if (!changed) surface.destroy_texture(known);
+            texture->SetTexID(ImTextureID_Invalid);
+            texture->SetStatus(ImTextureStatus_Destroyed);
+        } else if (texture->Status == ImTextureStatus_Destroyed) {
+            continue;
+        } else if (changed || texture->Status == ImTextureStatus_WantCreate) {
             auto* pixels = static_cast<const std::uint8_t*>(texture->GetPixels());
             texture->SetTexID(texture_id(surface.create_texture(width, height, pixels)));
             texture->SetStatus(ImTextureStatus_OK);
@@ -280,17 +357,18 @@ inline void update_textures(ImDrawData& data, app::Surface& surface, bool stale)
                 static_cast<const std::uint8_t*>(texture->GetPixelsAt(0, texture->UpdateRect.y));
             surface.update_texture(known, 0, top, width, texture->UpdateRect.h, pixels);
             texture->SetStatus(ImTextureStatus_OK);
-        } else if (texture->Status == ImTextureStatus_WantDestroy) {
-            surface.destroy_texture(known);
-            texture->SetTexID(ImTextureID_Invalid);
-            texture->SetStatus(ImTextureStatus_Destroyed);
         }
     }
 }
 
 #else
 
-inline constexpr bool pictures_of_glyphs = true;
+inline constexpr bool glyphs_on_demand = false;
+inline void leave_out(ImFontConfig&, const ImWchar*) {}
+inline app::Surface::Texture replaced_texture() {
+    return surface_texture(ImGui::GetIO().Fonts->TexID);
+}
+inline void add_painted(ImFontAtlas&, const PaintGlyph&, float) {}
 /// Reserves a part of the texture for the picture of a character. Returns its number.
 inline int add_glyph(ImFontAtlas& atlas, ImFont* font, ImWchar code, int width, int height,
                      float advance, ImVec2 corner) {
@@ -321,9 +399,10 @@ inline void prepare_textures(ImGuiIO& io) {
 inline app::Surface::Texture texture_of(const ImDrawCmd&) {
     return surface_texture(ImGui::GetIO().Fonts->TexID);
 }
-inline void update_textures(ImDrawData&, app::Surface& surface, bool stale) {
+/// `changed`: it is another surface than for the last frame. `rebuilt`: the fonts were built again.
+inline void update_textures(ImDrawData&, app::Surface& surface, bool changed, bool rebuilt) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
-    if (!stale) return;
+    if (!changed && !rebuilt) return;
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     fonts.GetTexDataAsRGBA32(&pixels, &width, &height);

@@ -8,6 +8,7 @@
 
 #include <in_game/pick.h>
 #include <inspector/multi_selection.h>
+#include <look/imgui_compat.h>
 #include <panel/state.h>
 
 namespace fettle::console {
@@ -366,6 +367,9 @@ void Console::State::feed(const InputEvent& event) {
     bool ends_drag = input.fed_move && event.kind == EventKind::mouse_released;
     bool separate = input.fed_button || input.fed_key || (input.fed_text && !text) || ends_drag;
     if (separate && status.was_open) frame(0);
+    // A field that has just got the keyboard takes no shortcut, such as Escape, in its next frame.
+    ui.activate();
+    if (key && status.was_open && compat::keyboard_moved()) frame(0);
     input.fed_key = input.fed_key || key;
     input.fed_text = input.fed_text || text;
     input.fed_move = input.fed_move || event.kind == EventKind::mouse_moved;

@@ -54,6 +54,27 @@ TEST_CASE("emoji are drawn in their colors") {
     CHECK(red > 20);
 }
 
+TEST_CASE("letters that come while the surface changes are drawn, and old textures are destroyed") {
+    Rig rig;
+    rig.key("grave");
+    rig.draw(4);
+    const std::size_t before = rig.surface.textures();
+    rig.console.print("🍎 漢字 Việt");
+    rig.draw(4);
+    CHECK(rig.surface.textures() == before);
+    rig.console.print("🍏 仮名 ế");
+    console::test::RasterSurface other(1280, 720);
+    for (int i = 0; i < 4; ++i) {
+        other.clear();
+        rig.console.draw(other, 1.0 / 60);
+    }
+    CHECK(other.faults() == 0);
+    CHECK(other.textures() == before);
+    rig.draw(4);
+    const bool same = other.pixels() == rig.surface.pixels();
+    CHECK(same);
+}
+
 TEST_CASE("a character beyond U+FFFF without a picture in colors is drawn as other letters are") {
     if (!installed("DejaVuSans.ttf")) return;
     const bool differ = picture("𝔸") != picture("𝔹");

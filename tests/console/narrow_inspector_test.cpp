@@ -17,7 +17,7 @@ namespace {
 
 struct SmallWindow : Rig {
     explicit SmallWindow(unsigned height = 240) {
-        surface = console::test::RasterSurface(400, height);
+        surface.resize(400, height);
         key("grave");
         draw(4);
     }
@@ -81,7 +81,7 @@ TEST_CASE("in a low and narrow window a click on a body shows its properties") {
         CHECK(rig.shows_inspector());
     }
     SECTION("in a larger window it has its own place") {
-        rig.surface = console::test::RasterSurface(1280, 720);
+        rig.surface.resize(1280, 720);
         rig.draw(4);
         CHECK(rig.shows_inspector());
         CHECK(rig.state().screen.inspector_rect.low.x > rig.state().screen.panel_rect.high.x);

@@ -21,6 +21,13 @@ void RasterSurface::clear() {
     painted_ = 0;
 }
 
+void RasterSurface::resize(unsigned width, unsigned height) {
+    width_ = width;
+    height_ = height;
+    pixels_.clear();
+    clear();
+}
+
 const std::vector<Pixel>& RasterSurface::pixels() const {
     for (; painted_ < calls_.size(); ++painted_) {
         const Call& call = calls_[painted_];

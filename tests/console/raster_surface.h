@@ -36,6 +36,8 @@ class RasterSurface : public app::Surface {
                    const app::ClipRectangle& clip) override;
 
     void clear();
+    /// As a window does: its textures stay.
+    void resize(unsigned width, unsigned height);
     /// Drawn at the first call: most tests do not read the pixels.
     const std::vector<Pixel>& pixels() const;
     std::size_t triangle_count() const { return triangle_count_; }

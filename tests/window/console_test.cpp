@@ -229,7 +229,9 @@ TEST_CASE("a run in a window is recorded from its first step when a recording is
     game.type("record()");
     game.key("Return");
     const auto recording = [&] {
-        for (const auto& entry : fs::recursive_directory_iterator(game.folder() / "data"))
+        const fs::path data = game.folder() / "data";
+        if (!fs::exists(data)) return fs::path();
+        for (const auto& entry : fs::recursive_directory_iterator(data))
             if (entry.path().extension() == ".recording") return entry.path();
         return fs::path();
     };

@@ -73,9 +73,10 @@ inline constexpr auto quads = sf::PrimitiveType::Triangles;  // not used
 /// Whether the library plays through OpenAL, which can write its output to a file.
 inline constexpr bool plays_on_openal = false;
 /// True if the library could open a sound device. Only meaningful while a stream exists, which
-/// opens it.
+/// opens it. Where there is none, version 3.1 opens one that discards the sound.
 inline bool audio_device_opened() {
-    return sf::PlaybackDevice::getDevice().has_value();
+    return sf::PlaybackDevice::getDevice().value_or("NULL Playback Device") !=
+           "NULL Playback Device";
 }
 inline std::unique_ptr<sf::Cursor> load_cursor(sf::Cursor::Type type) {
     std::optional<sf::Cursor> cursor = sf::Cursor::createFromSystem(type);
