@@ -1,6 +1,7 @@
 // The character mover: docs/design/physics.md, "The mover".
 
 #include <checks/arguments.h>
+#include <geometry/trigonometry.h>
 #include <mover/moving.h>
 #include <mover/support.h>
 #include <world/world_data.h>
@@ -226,7 +227,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     obstacles.find(box_between(capsule, start, start + motion, margin), start, ride.carrier, dt,
                    dropped);
     const MoveSettings settings{.skin = def_.skin,
-                                .least_cosine = std::cos(def_.max_slope) - 1e-3f,
+                                .least_cosine = rotation_of(def_.max_slope).c - 1e-3f,
                                 .step_height = walks ? def_.step_height : 0.0f,
                                 .walks = walks};
     Moving moving(obstacles, capsule, settings, start);

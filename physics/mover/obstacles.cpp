@@ -5,6 +5,7 @@
 #include <contacts/border.h>
 #include <contacts/contact_list.h>
 #include <distance/distance.h>
+#include <geometry/trigonometry.h>
 #include <mover/obstacles.h>
 #include <world/world_data.h>
 
@@ -51,7 +52,7 @@ Vec2 motion_of(const WorldData& data, uint32_t body, const Position& point, floa
     const BodyState& state = data.states[body];
     const float turn = clamp(dt * state.angular_velocity, -1.5f, 1.5f);
     const Vec2 arm = point - data.bodies[body].center;
-    const Vec2 turned = rotate({std::cos(turn), std::sin(turn)}, arm);
+    const Vec2 turned = rotate(rotation_of(turn), arm);
     return bounded(dt * state.velocity, farthest) + (turned - arm);
 }
 

@@ -35,4 +35,19 @@ Violations names_of_one_catch(const SourceTree& tree) {
     return found;
 }
 
+Violations trigonometry_of_the_system(const SourceTree& tree) {
+    static const std::regex name(R"(std::(sin|cos|tan|asin|acos|atan2?|exp|log|pow|hypot)\()");
+    Violations found;
+    for (const auto& [path, file] : tree.files()) {
+        if (!path.starts_with("physics/") || path.starts_with("physics/module/") ||
+            path == "physics/handles/draw.cpp")
+            continue;
+        for (std::size_t i = 0; i < file.lines.size(); ++i)
+            if (std::regex_search(file.lines[i], name))
+                found.push_back(path + ":" + std::to_string(i + 1) +
+                                ": its results differ between systems; see trigonometry.h");
+    }
+    return found;
+}
+
 }  // namespace fettle::architecture

@@ -70,6 +70,9 @@ Violations headers_of_linux(const SourceTree& tree);
 /// A public header uses words of GCC and clang only if it asks for the compiler.
 Violations words_of_one_compiler(const SourceTree& tree);
 
+/// Physics computes with no function of the C library whose results differ between systems.
+Violations trigonometry_of_the_system(const SourceTree& tree);
+
 /// Tests use names that Catch2 2 and 3 have, and those that catch.h gives to both.
 Violations names_of_one_catch(const SourceTree& tree);
 

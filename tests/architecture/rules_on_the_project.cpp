@@ -100,6 +100,10 @@ TEST_CASE("no part needs a header of Linux") {
     CHECK(listed(words_of_one_compiler(project())) == "");
 }
 
+TEST_CASE("physics does not compute with the trigonometry of the system") {
+    CHECK(listed(trigonometry_of_the_system(project())) == "");
+}
+
 TEST_CASE("tests compile with each release of Catch2") {
     CHECK(listed(names_of_one_catch(project())) == "");
 }

@@ -186,6 +186,13 @@ TEST_CASE("a word of one compiler in a public header is reported unless the head
     CHECK(of(words_of_one_compiler, "physics/state/records.h", word).empty());
 }
 
+TEST_CASE("a cosine of the system in physics is reported") {
+    const std::string line = "const float x = std::cos(angle);\n";
+    CHECK(of(trigonometry_of_the_system, "physics/step/finish.cpp", line).size() == 1);
+    CHECK(of(trigonometry_of_the_system, "physics/module/plugin/plugin.cpp", line).empty());
+    CHECK(of(trigonometry_of_the_system, "physics/step/finish.cpp", "sqrt(x)\n").empty());
+}
+
 TEST_CASE("a test with a name that only one release of Catch2 has is reported") {
     const std::string name = "Catch::" + std::string("Detail::Approx");
     CHECK(of(names_of_one_catch, "tests/physics/form_test.cpp", name + "(1)\n").size() == 1);
