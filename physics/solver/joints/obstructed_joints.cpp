@@ -196,7 +196,7 @@ void limit_pull(const JointSource& source, const JointRecord& joint, const Pull&
         const Vec2 towards = pull.towards[side];
         const JointPush push = {
             step.h * length(joint.force), side == 0 ? -towards : towards, 0.0f, {}};
-        PressedBodies pressed(source, joint, push, step, false);
+        PressedBodies pressed(source, joint, push, step, true);
         pressed.follow(side);
         if (!pressed.is_borne() &&
             !is_in_obstacle(source.objects, slot, towards, -speculative_margin))
@@ -206,16 +206,18 @@ void limit_pull(const JointSource& source, const JointRecord& joint, const Pull&
     }
     for (const uint32_t slot : joint.bodies)
         if (source.objects.bodies[slot].mobility == Mobility::dynamic) strained.push_back(slot);
-    ends.greatest_pull = load + acceleration * step.h * inverse_or_zero(inverse_mass);
+    // Weights on the way may help to pull.
+    ends.greatest_pull = max(load, 0.0f) + acceleration * step.h * inverse_or_zero(inverse_mass);
 }
 
 /// A joint pulls for a small gap only if an obstacle bears the pull on one of its bodies.
+/// `yielding`: see `PressedBodies`.
 void limit_gap(const JointSource& source, const JointRecord& joint, const JointStep& step,
-               JointEnds& ends) {
+               bool yielding, JointEnds& ends) {
     const float pull = length(joint.force);
     if (!(pull > 0.0f)) return;
     const JointPush push = {step.h * pull, (1.0f / pull) * joint.force, 0.0f, {}};
-    PressedBodies pressed(source, joint, push, step, false);
+    PressedBodies pressed(source, joint, push, step, yielding);
     for (const size_t side : {0u, 1u}) {
         if (source.objects.bodies[joint.bodies[side]].mobility != Mobility::dynamic) continue;
         pressed.follow(side);
@@ -285,13 +287,16 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
         const JointRecord& joint = source.objects.joints[array.joints[k]];
         JointEnds& ends = kind.ends(array, k);
         const SolverBody &a = bodies[ends.a], &b = bodies[ends.b];
-        if (may_be_obstructed(joint.force, a, b, step.h)) limit_gap(source, joint, step, ends);
-        if (kind.pull != nullptr) {
-            const Pull pull = kind.pull(array, k);
-            if (pull.too_long || by_movers) limit_gap_of_rope(source, joint, pull, solver, ends);
-            if (solver == Solver::soft_step && ends.greatest_error < infinity)
-                limit_pull(source, joint, pull, step, ends, strained);
-        }
+        const Pull pull = kind.pull != nullptr ? kind.pull(array, k) : Pull{};
+        // What limited a pull from something fixed made it weak. That must not free it again.
+        const bool yields = solver == Solver::soft_step && kind.pull != nullptr;
+        const bool held = a.inverse_mass == 0.0f || b.inverse_mass == 0.0f;
+        if ((yields && held && pull.too_long) || may_be_obstructed(joint.force, a, b, step.h))
+            limit_gap(source, joint, step, yields, ends);
+        if (pull.too_long || (by_movers && kind.pull != nullptr))
+            limit_gap_of_rope(source, joint, pull, solver, ends);
+        if (yields && ends.greatest_error < infinity)
+            limit_pull(source, joint, pull, step, ends, strained);
         if (solver != Solver::soft_step || kind.drive == nullptr) return;
         const Drive drive = kind.drive(array, k);
         if (drive.greatest != nullptr && may_press(drive, a, b))

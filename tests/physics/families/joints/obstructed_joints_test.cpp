@@ -234,4 +234,30 @@ TEST_CASE("what a rope draws along an obstacle comes to rest and is not thrown",
     }
 }
 
+// The weight of the crate helps the pull: its load is less than nothing, and a rope pushes never.
+TEST_CASE("a rope that draws a ball down onto a heavy crate does not push it up") {
+    for (const float mass : {1.0f, 30.0f, 1000.0f}) {
+        World world;
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 20, .height = 1, .center = {0, -0.5f}});
+        Body crate = world.create_body({.position = {0, 0.5f}, .mass = mass});
+        crate.add(Box{.width = 1, .height = 1});
+        Body ball = world.create_body({.position = {0, 1.3f}});
+        ball.add(Circle{.radius = 0.3f});
+        float length = 3;
+        DistanceJoint rope = world.create_distance_joint(
+            {.body_b = ball.id(), .anchor_a = {0, -2}, .max_length = length, .hertz = 0});
+        float highest = 0;
+        for (int i = 0; i < 240; ++i) {
+            length = std::max(1.0f, length - 1.0f / 60);
+            rope.set_max_length(length);
+            world.step(1.0f / 60);
+            highest = std::max(highest, float(ball.position().y));
+        }
+        CAPTURE(mass);
+        CHECK(highest < 1.31f);
+        CHECK(ball.position().y > 1.2f);
+    }
+}
+
 }  // namespace obstructed_joints_test
