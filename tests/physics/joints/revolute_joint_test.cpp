@@ -176,7 +176,7 @@ TEST_CASE("a motor that winds up the spring of its pin does not pull the pin apa
             float widest = 0.0f;
             for (int i = 0; i < 200; ++i) {
                 world.step(0.02f);
-                widest = std::max(widest, arm.world_point({-0.75f, 0}).length());
+                widest = std::max(widest, Vec2(arm.world_point({-0.75f, 0})).length());
             }
             CHECK(widest < 0.004f);
             CHECK(pin.angle() > 0.3f);

@@ -110,10 +110,8 @@ class Press {
                 break;
             }
             case mouse:
-                mouse_ = world_.create_mouse_joint({.body = body,
-                                                    .target = {0, 1},
-                                                    .anchor = Position{0, 0},
-                                                    .max_force = force_});
+                mouse_ = world_.create_mouse_joint(
+                    {.body = body, .target = {0, 1}, .anchor = Vec2{0, 0}, .max_force = force_});
                 raise_ = speed;
                 guide();
                 break;

@@ -74,7 +74,7 @@ float greatest_depth(Ground kind, unsigned seed) {
     for (int step = 0; step < 180; ++step) {
         world.step(1.0f / 60);
         for (const Body& body : light)
-            deepest = std::max(deepest, (bottom - body.position().y) / half);
+            deepest = std::max(deepest, float(bottom - body.position().y) / half);
     }
     return deepest;
 }
