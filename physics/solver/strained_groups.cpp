@@ -3,11 +3,10 @@
 // other, it takes only a part of them: then the corrections shake the bodies for ever, and the
 // impulses with which the next sub-step begins throw them. And impacts that the direct solver
 // solves together, each with the speed of its approach, may give back more than they took, as in a
-// row of balls. But contacts, and joints without motors
-// and springs, give no energy to the bodies that they connect. So the kinetic energy of such a
-// group after the step is at most that before the step plus the work of the forces. What is more is
-// taken from its velocities. A correction that lifts a body is paid for, too, since the way of the
-// body counts for the work of its weight.
+// row of balls. But contacts, and joints without motors and springs, give no energy to the bodies
+// that they connect. So the kinetic energy of such a group after the step is at most that before
+// the step plus the work of the forces. What is more is taken from its velocities. A correction
+// that lifts a body is paid for, too, since the way of the body counts for the work of its weight.
 
 #include <solver/solvers.h>
 #include <state/joint_kind.h>

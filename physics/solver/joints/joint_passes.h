@@ -71,6 +71,7 @@ struct JointSource {
 JointStep prepare_joints(ObjectState& objects, const Columns& columns, const ActiveLists& active,
                          BodyScratch& bodies, JointScratch& joints, float h, float impulse_ratio,
                          float contact_hertz, Solver solver, ThreadPool* threads);
+
 /// The load as which a motor with limits counts, by the speed that it could give its bodies in a
 /// sub-step. An arm of several links whose motors press against their limits is solved one joint
 /// after the other: where a motor undoes in one sweep what its neighbors need, the arm never comes

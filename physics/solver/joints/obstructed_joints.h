@@ -13,8 +13,9 @@
 
 namespace fettle::physics::detail {
 
-/// A joint pulls a body against an obstacle as for a gap of this width, m: with some 140 times the
-/// weight of its body, which sinks into the obstacle by about as much.
+/// A joint pulls a body against an obstacle as for a gap of this width, m: with at most some 140
+/// times the weight of its body, which sinks into the obstacle by about as much. One whose two ends
+/// are held pulls with less under `soft_step`: `JointEnds::greatest_pull`.
 inline constexpr float obstructed_gap = 0.01f;
 
 /// True if a joint pulls one of its bodies so hard that an obstacle may be in its way.
