@@ -21,6 +21,12 @@ struct Motion {
     bool moves_after(float t) const { return t < until; }
 };
 
+/// True if a body neither moves nor turns.
+template <class Body>
+bool stands_still(const Body& body) {
+    return body.velocity == Vec2{} && body.angular_velocity == 0.0f;
+}
+
 inline Motion at_rest(Position center, float angle = 0.0f) {
     Motion motion;
     motion.from = center;

@@ -8,6 +8,7 @@
 // the step plus the work of the forces. What is more is taken from its velocities. A correction
 // that lifts a body is paid for, too, since the way of the body counts for the work of its weight.
 
+#include <geometry/motion.h>
 #include <solver/solvers.h>
 #include <state/joint_kind.h>
 
@@ -72,10 +73,8 @@ class StrainedGroups {
     void add(uint32_t body) {
         const BodyRecord& record = objects_.bodies[body];
         if (record.mobility != Mobility::dynamic || record.solver_index == 0) {
-            const BodyState& state = columns_.states[body];
             held_ = true;
-            driven_ = driven_ || (record.solver_index != 0 &&
-                                  (!(state.velocity == Vec2{}) || state.angular_velocity != 0.0f));
+            driven_ = driven_ || (record.solver_index != 0 && !stands_still(columns_.states[body]));
             return;
         }
         uint8_t& seen = seen_[record.solver_index];

@@ -1,5 +1,6 @@
 #include <contacts/overlaps/crushed_bodies.h>
 #include <contacts/overlaps/overlaps.h>
+#include <geometry/motion.h>
 #include <state/place_shape.h>
 
 #include <algorithm>
@@ -96,9 +97,8 @@ class Pressure {
         return dot(velocity, normal_towards(body, c));
     }
     bool is_fixed(uint32_t body) const {
-        const BodyState& state = columns_.states[body];
-        return objects_.bodies[body].mobility != Mobility::dynamic && state.velocity == Vec2{} &&
-               state.angular_velocity == 0.0f;
+        return objects_.bodies[body].mobility != Mobility::dynamic &&
+               stands_still(columns_.states[body]);
     }
 
     /// True if a fixed obstacle stops the body against the pressure. Otherwise adds the bodies to

@@ -1,3 +1,4 @@
+#include <geometry/motion.h>
 #include <partition/union_find.h>
 #include <solver/alternatives/direct_problem.h>
 #include <solver/joints/direct_row.h>
@@ -157,7 +158,7 @@ class DirectSolver {
             if (i < joint_rows_) return no_limit;
             for (const uint32_t end : {rows_[i].jacobian.a, rows_[i].jacobian.b}) {
                 if (moves(end)) continue;
-                const bool drives = end != 0 && is_moving(bodies_[end]);
+                const bool drives = end != 0 && !stands_still(bodies_[end]);
                 held = held || !drives || (driver != 0 && end != driver);
                 if (!drives) continue;
                 driver = end;
@@ -177,9 +178,6 @@ class DirectSolver {
         const BodyRecord& record = input_.objects.bodies[input_.active.awake_bodies[body - 1]];
         return length(bodies_[body].velocity) +
                std::abs(bodies_[body].angular_velocity) * record.extent;
-    }
-    static bool is_moving(const SolverBody& body) {
-        return !(body.velocity == Vec2{}) || body.angular_velocity != 0.0f;
     }
     void limit_contacts(const DirectProblem& problem, double greatest) {
         if (!std::isfinite(greatest)) return;

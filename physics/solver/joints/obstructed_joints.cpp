@@ -1,3 +1,4 @@
+#include <geometry/motion.h>
 #include <solver/joints/obstructed_joints.h>
 #include <state/joint_kind.h>
 #include <state/limits.h>
@@ -230,9 +231,8 @@ void limit_gap(const JointSource& source, const JointRecord& joint, const JointS
 
 /// True for a kinematic body that is not at rest.
 bool moves_by_itself(const JointSource& source, uint32_t body) {
-    const BodyState& state = source.columns.states[body];
     return source.objects.bodies[body].mobility == Mobility::kinematic &&
-           (!(state.velocity == Vec2{}) || state.angular_velocity != 0.0f);
+           !stands_still(source.columns.states[body]);
 }
 
 /// A rope that is too long pulls a body along an obstacle in jerks: in the last sub-step there may
