@@ -47,8 +47,8 @@ if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
 
-# Several sources in one go: what they all read and instantiate is compiled once for all of them. The preset `clang`
-# compiles each alone, so every source still includes what it uses.
+# Several sources in one go: what they all read and instantiate is compiled once for all of them. The preset `alone`
+# has each alone, and clang-tidy reads it, so every source still includes what it uses.
 if(NOT DEFINED CMAKE_UNITY_BUILD)
   set(CMAKE_UNITY_BUILD ON)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 18)

@@ -1,6 +1,6 @@
 # Precompiled headers: most of the time that a source of this project takes to compile goes into reading headers.
 #
-# Sources still include all that they use, so that each compiles alone too: the preset `clang` builds without precompiled
+# Sources still include all that they use, so that each compiles alone too: the preset `alone` has no precompiled
 # headers. A header that changes often does not belong here, since everything that uses it is compiled again.
 
 # What nearly every source includes of the standard library.
