@@ -25,6 +25,10 @@ function(fettle_compile_options target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15)
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
   endif()
+  # Of sources that are compiled together, clang also warns where a local name of one is in an anonymous namespace of another.
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang" AND CMAKE_UNITY_BUILD)
+    target_compile_options(${target} PRIVATE -Wno-shadow)
+  endif()
   # With -fipa-ra, GCC assumes that a call of an inline function changes only the registers that the copy in the same file
   # changes. On Windows the linker may use the copy of another file, which was compiled with other optimization and changes
   # other registers.

@@ -12,7 +12,7 @@
 namespace fettle::property {
 namespace {
 
-thread_local double moment = 1;
+thread_local double drawn_alpha = 1;
 thread_local bool drawing_now = false;
 thread_local DrawingPart::Part drawn_part = DrawingPart::Part::all;
 
@@ -181,11 +181,11 @@ class Sheet {
 }  // namespace
 
 Drawing::Drawing(double alpha)
-    : before_(std::exchange(moment, std::clamp(alpha, 0.0, 1.0))),
+    : before_(std::exchange(drawn_alpha, std::clamp(alpha, 0.0, 1.0))),
       outer_(std::exchange(drawing_now, true)) {}
 
 Drawing::~Drawing() {
-    moment = before_;
+    drawn_alpha = before_;
     drawing_now = outer_;
 }
 
@@ -196,7 +196,7 @@ DrawingPart::~DrawingPart() {
 }
 
 double Drawing::alpha() {
-    return moment;
+    return drawn_alpha;
 }
 
 bool Drawing::underway() {
