@@ -93,7 +93,8 @@ TEST_CASE("a crash of a native module leaves what was printed and names module a
 }
 #endif
 
-TEST_CASE("a native module that hangs is stopped by the limit of a test and by that of a run") {
+TEST_CASE("a native module that hangs is stopped by the limit of a test and by that of a run",
+          "[long]") {
     const Folder folder;
     write_game(folder, "hang");
     const Outcome tested = test_native(folder, {"--timeout", "1"});

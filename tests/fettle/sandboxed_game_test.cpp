@@ -83,7 +83,7 @@ TEST_CASE("each limit of a sandbox is reported with its place and value") {
 // No hook of Lua runs within these, so each is bounded by what it is asked for: by the length of
 // the texts, or by instructions that are counted for its work. Without that, each takes from six
 // seconds to hours; the run would end with the message that the game did not come back.
-TEST_CASE("no single call of a function in C passes the time of a sandbox") {
+TEST_CASE("no single call of a function in C passes the time of a sandbox", "[long]") {
     const auto [main, reason] = GENERATE(table<std::string, std::string>({
         {"local s = ('x'):rep(250e6)",
          "a text would have 250000000 bytes, and the texts of this game may have 64 MB"},
@@ -189,7 +189,8 @@ TEST_CASE("one replacement of a text takes no more memory than a game may have")
          (in_pieces && contains(run.err, stopped + "ran "))));
 }
 
-TEST_CASE("many deleted instances with very long paths take no more memory than a game may have") {
+TEST_CASE("many deleted instances with very long paths take no more memory than a game may have",
+          "[long]") {
     const Folder folder;
     folder.write("game/main.lua",
                  "local p, n, all = world, ('n'):rep(1000), {} "
@@ -239,7 +240,7 @@ TEST_CASE("a text that takes long to compile is stopped") {
     CHECK(contains(run.err, "main.lua:1: stopped: it ran for 1 second"));
 }
 
-TEST_CASE("a garbage collection that does not come back ends the run") {
+TEST_CASE("a garbage collection that does not come back ends the run", "[long]") {
     // Each weak table is searched again for each key that is found, and Lua runs no hook meanwhile.
     const Folder folder;
     folder.write("game/main.lua", R"(

@@ -246,7 +246,8 @@ TEST_CASE("every accepted edit can be kept with texts of any length") {
     CHECK(run.tweaks->keep("**").count == 2);
 }
 
-TEST_CASE("a tweak that is too large to be read again is not journaled and this is reported") {
+TEST_CASE("a tweak that is too large to be read again is not journaled and this is reported",
+          "[long]") {
     const GameFolder folder;
     {
         Run run(folder);
