@@ -39,7 +39,7 @@ class GameMedia : public property::Media {
                                  const property::ImageFrame& asked) override {
         const auto sheet = images_.get(user, name);
         const bool exported = !sheet->frames.empty();
-        if (!exported && !sheet->found) return sheet->whole();
+        if (!exported && !sheet->found) return FrameGrid::divided(sheet->picture, 1, 1).at(0);
         const std::int64_t count =
             exported ? static_cast<std::int64_t>(sheet->frames.size()) : asked.columns * asked.rows;
         const auto index = static_cast<std::size_t>((asked.frame - 1) % count);

@@ -130,7 +130,7 @@ void prepare_contacts(const PrepareStep& step, std::span<const ContactLanes> fro
 inline Wide bounded(Wide v, float limit) {
     const Wide below = v > splat(limit) ? splat(limit) : v;
     const Wide within = below < splat(-limit) ? splat(-limit) : below;
-    return within == within ? within : Wide{};
+    return within == within ? within : Wide{};  // NOLINT: false where it is no number
 }
 
 /// Stores the impulses, and marks the contacts that push or are near.

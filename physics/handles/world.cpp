@@ -72,11 +72,13 @@ World::~World() {
     if (self.locked()) self.keep_alive(std::move(data_));
 }
 
+// NOLINTNEXTLINE(performance-noexcept-move-constructor): a callback may not move its world
 World::World(World&& other) {
     *this = std::move(other);
 }
 
 /// The data are moved, so handles stay valid.
+// NOLINTNEXTLINE(performance-noexcept-move-constructor): a callback may not replace its world
 World& World::operator=(World&& other) {
     if (this == &other) return *this;
     if (data_) data_->self.may_replace("World", "operator=");
@@ -105,7 +107,7 @@ World::World(const World& other) {
     data_ = detail::Owned(new WorldData);
     data_->self.link = &acquire_link();
     data_->most_width = other.data_->most_width;
-    data_->replace_state(WorldState(*other.data_));
+    data_->replace_state(WorldState(static_cast<const WorldState&>(*other.data_)));
     begin();
 }
 
@@ -114,7 +116,7 @@ void World::restore(const World& other) {
     data_->self.may_replace("World", __func__);
     WorldData& data = *data_;
     other.data_->self.may_copy("copying a World");
-    data.replace_state(WorldState(*other.data_));
+    data.replace_state(WorldState(static_cast<const WorldState&>(*other.data_)));
 }
 
 void World::set_owner(const Owner* owner) {

@@ -119,7 +119,7 @@ void World::take(World&& other) {
     WorldData empty;
     empty.self.link = &acquire_link();
     detail::make_border(empty.editing());
-    given.replace_state(std::move(empty));
+    given.replace_state(std::move(empty));  // NOLINT: gives what was moved a state again
 }
 
 /// Keeps scratch data, callbacks and threads. The generations of the new state are never used

@@ -17,6 +17,7 @@ using TwoPixels = std::uint8_t __attribute__((vector_size(8)));
 
 // Parts of a texel. With more, a difference of two channels times a part would not fit in 16 bits.
 constexpr int parts = 128;
+constexpr int half = parts / 2;
 constexpr int part_bits = 7;
 
 SignedChannels widened(std::uint64_t two_pixels) {
@@ -99,7 +100,7 @@ struct Place {
 Place place(float texel, int size, bool smooth) {
     const auto most = static_cast<float>((size - 1) * parts);
     const float wanted =
-        smooth ? texel * parts - parts / 2 : std::floor(texel) * static_cast<float>(parts);
+        smooth ? texel * parts - half : std::floor(texel) * static_cast<float>(parts);
     const int at = static_cast<int>(std::clamp(wanted, 0.0f, most));
     const int before = std::min(at >> part_bits, size - 2);
     return {before, static_cast<std::int16_t>(at - before * parts)};
@@ -115,7 +116,7 @@ struct FourPlaces {
 /// The same for four texels.
 FourPlaces places(Four texel, int size, bool smooth) {
     const Four most = Four{} + static_cast<float>((size - 1) * parts);
-    Four wanted = texel * parts - parts / 2;
+    Four wanted = texel * parts - half;
     if (!smooth) {
         const Four cut = __builtin_convertvector(__builtin_convertvector(texel, FourInts), Four);
         wanted = (cut > texel ? cut - 1 : cut) * parts;
@@ -306,7 +307,7 @@ void QuadRaster::draw_turned(const CanvasVertex* c) {
                                         texels_.height, texels_.smooth);
             const FourInts offsets = v.before * static_cast<int>(length) + u.before * 4;
             for (int k = 0; k < 4; ++k)
-                spots_[static_cast<std::size_t>(x - inside.from + k)] = {
+                spots_[static_cast<std::size_t>(x - inside.from) + static_cast<std::size_t>(k)] = {
                     offsets[k], static_cast<std::int16_t>(u.weight[k]),
                     static_cast<std::int16_t>(v.weight[k])};
         }

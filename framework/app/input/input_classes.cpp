@@ -144,7 +144,7 @@ Property button_property(std::string name, const std::string& reported, property
                 "Whether the button is held down. Setting it presses or releases it: "
                 "gamepad_pressed or gamepad_released is called with \"" +
                 reported + "\".",
-            .binding = std::move(binding),
+            .binding = binding,
             .transient = true};
 }
 

@@ -222,7 +222,7 @@ int send_event(lua_State* L) {
     for (const Property& field : own->fields) {
         Value value = field.default_value;
         if (lua_istable(L, 3)) {
-            const std::string path = where + ": " + name + "." + field.name;
+            std::string path = where + ": " + name + "." + field.name;
             push_text(L, field.name);
             if (lua_rawget(L, 3) != LUA_TNIL)
                 value = property::coerced(tree, field, to_value(L, -1, [&] { return path; }), path);

@@ -194,10 +194,9 @@ FrameGrid FrameGrid::filled(const property::Picture& picture, const property::Ve
 
 property::PictureFrame FrameGrid::at(std::size_t index) const {
     const auto across = static_cast<std::size_t>(columns);
-    const auto column = static_cast<double>(index % across);
-    const auto row = static_cast<double>(index / across);
-    return {.area = {margin + column * (size.x + spacing), margin + row * (size.y + spacing),
-                     size.x, size.y},
+    const std::size_t column = index % across, row = index / across;
+    return {.area = {margin + static_cast<double>(column) * (size.x + spacing),
+                     margin + static_cast<double>(row) * (size.y + spacing), size.x, size.y},
             .size = size};
 }
 

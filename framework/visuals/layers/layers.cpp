@@ -24,7 +24,8 @@ constexpr std::array<const char*, 9> anchors{"top_left",    "top",    "top_right
 Vec2 anchor_at(const std::string& name) {
     const auto found = std::find(anchors.begin(), anchors.end(), name);
     const auto n = static_cast<int>(found - anchors.begin());
-    return {0.5 * (n % 3), 0.5 * (n / 3)};
+    const int column = n % 3, row = n / 3;
+    return {0.5 * column, 0.5 * row};
 }
 
 constexpr double most_copies = 10'000;  // of a layer in a picture: the tree makes no more passes

@@ -167,10 +167,11 @@ TileLook LoadedMap::make_look(std::uint32_t number) const {
                          static_cast<double>(look.sheet->picture.height())};
     } else {
         const auto columns = static_cast<std::uint32_t>(set.columns);
+        const std::uint32_t column = in_set % columns, row = in_set / columns;
         look.area = {static_cast<double>(set.margin) +
-                         static_cast<double>(in_set % columns) * (set.tile_width + set.spacing),
+                         static_cast<double>(column) * (set.tile_width + set.spacing),
                      static_cast<double>(set.margin) +
-                         static_cast<double>(in_set / columns) * (set.tile_height + set.spacing),
+                         static_cast<double>(row) * (set.tile_height + set.spacing),
                      static_cast<double>(set.tile_width), static_cast<double>(set.tile_height)};
         // The checkerboard in place of a missing image is shown as a whole.
         if (look.sheet != nullptr && !look.sheet->found)
