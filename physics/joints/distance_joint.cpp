@@ -57,8 +57,8 @@ struct DistanceConstraint {
     float length = 0.0f;
     Limits limits;
     Spring spring;
-    Line line;              ///< from a to b
-    bool too_long = false;  ///< at the start of the step
+    Line line;            ///< from a to b
+    float excess = 0.0f;  ///< at the start of the step, of the length: < 0 if it is too short
 
     static float separation(const Settings& settings, const JointPlace& place) {
         const Limits& limits = settings.limits;
@@ -87,7 +87,8 @@ struct DistanceConstraint {
         if (!rigid && !springy) impulses.along = 0.0f;
         if (!limited) impulses.limits = {};
         if (!driven) impulses.motor = 0.0f;
-        too_long = follow(a, b) > (rigid ? length : limits.upper) + obstructed_gap;
+        const float distance = follow(a, b);
+        excess = rigid ? distance - length : distance - clamp(distance, limits.lower, limits.upper);
     }
 
     /// Rotates the levers and the axis with the bodies; returns the distance.
@@ -152,7 +153,12 @@ struct DistanceConstraint {
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
         return driven && motor.moves_bodies(line.velocity(a, b));
     }
-    Pull pull_now() const { return {too_long, {line.direction, -line.direction}}; }
+    Pull pull_now() const {
+        const bool is_strained = std::abs(excess) > obstructed_gap;
+        const bool pushes = is_strained ? excess < 0.0f : impulses.sum() > 0.0f;
+        const Vec2 towards = pushes ? -line.direction : line.direction;
+        return {is_strained, {towards, -towards}};
+    }
     Drive drive() {
         if (!driven || motor.speed == 0.0f) return {};
         return {&motor.greatest, impulses.motor, line.direction, false};

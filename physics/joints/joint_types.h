@@ -86,7 +86,7 @@ class JointFunctions {
                 presses = presses || may_press(drive, a, b);
                 is_strong = is_strong || load_of_drive(drive, a, b) > 0;
             }
-            if constexpr (has_length) presses |= c.pull_now().too_long;
+            if constexpr (has_length) presses |= c.pull_now().is_strained;
         }
         return uint8_t((pulls_hard ? pull : 0) | (presses ? press : 0) | (is_strong ? strong : 0));
     }

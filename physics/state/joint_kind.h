@@ -64,17 +64,17 @@ struct Drive {
     }
 };
 
-/// A rope, a rod or a pulley: whether it is longer than it may be by more than `obstructed_gap`,
-/// and where it draws its bodies.
+/// A rope, a rod or a pulley: whether its length is wrong by more than `obstructed_gap`, and where
+/// it draws its bodies. A rod that is too short pushes them apart.
 struct Pull {
-    bool too_long = false;
+    bool is_strained = false;
     Vec2 towards[2];  ///< unit vectors
 };
 
 /// What the force of a joint may concern. Bits.
 enum HardPush : uint8_t {
     pull = 1,   ///< solver/joints/geometric_stiffness.h and solver/joints/obstructed_joints.h
-    press = 2,  ///< only the latter: a motor that presses, or a rope that is too long
+    press = 2,  ///< only the latter: a motor that presses, or a length that is wrong
     strong = 4  ///< a motor with limits is so strong that its joint counts as loaded
 };
 

@@ -246,7 +246,7 @@ void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, cons
     for (const size_t side : {0u, 1u}) {
         const uint32_t body = joint.bodies[side];
         if (source.objects.bodies[body].mobility != Mobility::dynamic) continue;
-        const bool any = pull.too_long || moves_by_itself(source, joint.bodies[1 - side]);
+        const bool any = pull.is_strained || moves_by_itself(source, joint.bodies[1 - side]);
         const float into = push_into_obstacle(
             source.objects, body, pull.towards[side], -speculative_margin,
             [&](uint32_t obstacle) { return any || moves_by_itself(source, obstacle); });
@@ -291,9 +291,9 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
         // What limited a pull from something fixed made it weak. That must not free it again.
         const bool yields = solver == Solver::soft_step && kind.pull != nullptr;
         const bool held = a.inverse_mass == 0.0f || b.inverse_mass == 0.0f;
-        if ((yields && held && pull.too_long) || may_be_obstructed(joint.force, a, b, step.h))
+        if ((yields && held && pull.is_strained) || may_be_obstructed(joint.force, a, b, step.h))
             limit_gap(source, joint, step, yields, ends);
-        if (pull.too_long || (by_movers && kind.pull != nullptr))
+        if (pull.is_strained || (by_movers && kind.pull != nullptr))
             limit_gap_of_rope(source, joint, pull, solver, ends);
         if (yields && ends.greatest_error < infinity)
             limit_pull(source, joint, pull, step, ends, strained);

@@ -260,4 +260,40 @@ TEST_CASE("a rope that draws a ball down onto a heavy crate does not push it up"
     }
 }
 
+// A jack that goes on when its foot stands on the ground. An infinite force would move the foot
+// along the ground at many times the speed of the jack, and press it into the ground where friction
+// holds it.
+TEST_CASE("a rod that becomes longer presses nothing into the ground and throws nothing along it") {
+    unsigned thrown = 0;
+    float deepest = 0, fastest = 0;
+    const unsigned seeds = seeds_or(200);
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        Random random{std::mt19937(seed)};
+        World world({.solver = seed % 2 == 0 ? Solver::soft_step : Solver::direct});
+        const float friction = random(0, 1), size = random(0.4f, 1.2f);
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 60, .height = 1, .center = {0, -0.5f}}, {.friction = friction});
+        Body foot = world.create_body({.position = {0, size / 2}, .mass = random(0.2f, 20)});
+        if (seed % 4 < 2)
+            foot.add(Circle{.radius = size / 2}, {.friction = friction});
+        else
+            foot.add(Box{.width = size, .height = size}, {.friction = friction});
+        DistanceJoint rod = world.create_distance_joint(
+            {.body_b = foot.id(), .anchor_a = {random(0.2f, 2), random(3, 8)}});
+        const float rate = random(20, 144), speed = random(0.3f, 3), longest = rod.length() + 2;
+        for (int i = 0; i < int(8 * rate); ++i) {
+            rod.set_length(std::min(longest, rod.length() + speed / rate));
+            world.step(1 / rate);
+            fastest = std::max(fastest, foot.velocity().length());
+            deepest = std::max(deepest, size / 2 - float(foot.position().y));
+        }
+        thrown += foot.position().y > size;
+    }
+    std::printf("rods that become longer: %u of %u thrown, fastest %.1f m/s, deepest %.3f m\n",
+                thrown, seeds, double(fastest), double(deepest));
+    CHECK(thrown == 0);
+    CHECK(fastest < 4);
+    CHECK(deepest < 0.03f);
+}
+
 }  // namespace obstructed_joints_test
