@@ -25,6 +25,8 @@ struct JointStep {
     float greatest_gap = 1e30f;
     /// The same for rows whose length or limit may be set in each step, as that of a winch, m.
     float greatest_length_gap = 1e30f;
+    /// The same for angles, rad.
+    float greatest_angle_gap = 1e30f;
     /// A gap that is wider than this, m, is closed by moving the bodies. Impacts hardly make such
     /// gaps, but edits do.
     float wide_gap = 1e30f;
@@ -38,8 +40,8 @@ struct JointStep {
     Softness softness(float gap) const { return softness_up_to(greatest_gap, gap); }
     Softness softness(Vec2 gap) const { return softness(max(std::abs(gap.x), std::abs(gap.y))); }
     Softness length_softness(float gap) const { return softness_up_to(greatest_length_gap, gap); }
-
-  private:
+    Softness angle_softness(float gap) const { return softness_up_to(greatest_angle_gap, gap); }
+    /// The same for a row whose gaps that are wider than `greatest` close as fast as this one.
     Softness softness_up_to(float greatest, float gap) const {
         gap = std::abs(gap);
         if (gap <= greatest) return rigid;

@@ -48,15 +48,15 @@ float push_rigid(float& impulse, float mass, float velocity, float error, const 
 
 /// A row that pushes in one direction only: it prevents `room` from becoming negative. `velocity`
 /// is the time derivative of the room. Returns the change of `impulse`. What is missing of the room
-/// comes back at a limited speed, as `length_softness` says. `greatest`: the maximum impulse.
+/// comes back at a limited speed: that for `greatest_gap`. `greatest`: the maximum impulse.
 template <bool biased>
 float push_limit(float& impulse, float mass, float velocity, float room, const JointStep& step,
-                 float greatest = infinity) {
+                 float greatest_gap, float greatest = infinity) {
     float bias = 0.0f, mass_scale = 1.0f, impulse_scale = 0.0f;
     if (room > 0.0f) {
         bias = room * step.inverse_h;  // the room may close completely, but not more
     } else if (biased) {
-        const Softness soft = step.length_softness(room);
+        const Softness soft = step.softness_up_to(greatest_gap, room);
         bias = soft.bias_rate * room;
         mass_scale = soft.mass_scale;
         impulse_scale = soft.impulse_scale;

@@ -39,19 +39,6 @@ struct Line {
     }
 };
 
-/// Turns two bodies whose relative angle is far from the angle of a joint. It gives them no
-/// velocity, like `JointEnds::close_wide_gap`.
-inline void close_wide_angle(JointEnds& ends, SolverBody& a, SolverBody& b, float error,
-                             const JointStep& step) {
-    constexpr float wide = 0.3f;  // rad
-    const float sum = a.inverse_inertia + b.inverse_inertia;
-    if (std::abs(error) <= wide || !(sum > 0.0f)) return;
-    const float turn = step.wide_share * (error - std::copysign(wide, error)) / sum;
-    a.turn += a.inverse_inertia * turn;
-    b.turn -= b.inverse_inertia * turn;
-    ends.follow(a, b);
-}
-
 /// Stiffness of a spring. 0 Hz: no spring; infinity, if a joint allows it: rigid.
 struct Stiffness {
     float hertz = 0.0f, damping_ratio = 0.0f;
@@ -148,13 +135,14 @@ inline void relieve(float& motor, LimitImpulses& limits) {
 template <bool biased>
 float hold_at_limit(float& motor_impulse, LimitImpulses& impulses, const Motor& motor,
                     const Limits& limits, int end, float mass, float position, float velocity,
-                    const JointStep& step) {
+                    const JointStep& step, float greatest_gap) {
     const float sign = float(end);
     float& limit = end > 0 ? impulses.upper : impulses.lower;
     const float error = sign * (position - (end > 0 ? limits.upper : limits.lower));
     const float before = sign * motor_impulse - limit;
     float total = before;
-    push_rigid<biased>(total, mass, sign * velocity, error, step.length_softness(error));
+    push_rigid<biased>(total, mass, sign * velocity, error,
+                       step.softness_up_to(greatest_gap, error));
     total = min(total, motor.greatest);
     motor_impulse = sign * max(total, 0.0f);
     limit = max(-total, 0.0f);
@@ -162,18 +150,18 @@ float hold_at_limit(float& motor_impulse, LimitImpulses& impulses, const Motor& 
 }
 
 /// Solves the limits of a row, but not the one at `end`, as in `Motor::stopped_at`. `velocity()`
-/// and `push(impulse)` are the functions of the row; `greatest`: the impulse that a limit may
-/// exert.
+/// and `push(impulse)` are the functions of the row; `greatest_gap`: as in `push_limit`;
+/// `greatest`: the impulse that a limit may exert.
 template <bool biased, class Velocity, class Push>
 void solve_limits(const Limits& limits, LimitImpulses& impulses, float mass, float position,
-                  const JointStep& step, Velocity&& velocity, Push&& push, int end = 0,
-                  float greatest = infinity) {
+                  const JointStep& step, float greatest_gap, Velocity&& velocity, Push&& push,
+                  int end = 0, float greatest = infinity) {
     if (limits.lower > -infinity && end >= 0)
         push(push_limit<biased>(impulses.lower, mass, velocity(), position - limits.lower, step,
-                                greatest));
+                                greatest_gap, greatest));
     if (limits.upper < infinity && end <= 0)
         push(-push_limit<biased>(impulses.upper, mass, -velocity(), limits.upper - position, step,
-                                 greatest));
+                                 greatest_gap, greatest));
 }
 
 /// `greatest`: the impulse that a limit may exert.
@@ -296,17 +284,19 @@ struct Coordinate {
     /// see free_rows.h.
     template <bool biased, class Velocity, class Push>
     void solve_bounds(CoordinateImpulses& impulses, float mass, float position,
-                      const JointStep& step, Velocity&& velocity, Push&& push) const {
+                      const JointStep& step, float greatest_gap, Velocity&& velocity,
+                      Push&& push) const {
         const int end = drives ? motor.stopped_at(limits, position, step.inverse_h) : 0;
         if (end != 0) {
             push(hold_at_limit<biased>(impulses.motor, impulses.limits, motor, limits, end, mass,
-                                       position, velocity(), step));
+                                       position, velocity(), step, greatest_gap));
         } else if (!biased && drives) {
             const float speed = motor.speed_within(limits, position, step.inverse_h);
             push(push_motor(impulses.motor, mass, velocity(), speed, motor.greatest,
                             speed != motor.speed));
         }
-        solve_limits<biased>(limits, impulses.limits, mass, position, step, velocity, push, end);
+        solve_limits<biased>(limits, impulses.limits, mass, position, step, greatest_gap, velocity,
+                             push, end);
         if (!biased && end == 0 && driven && limited) relieve(impulses.motor, impulses.limits);
     }
     void write_rows(CoordinateImpulses& impulses, float mass, float position,

@@ -185,10 +185,12 @@ struct DistanceConstraint {
         if (end != 0)
             line.push(ends, a, b,
                       hold_at_limit<biased>(impulses.motor, impulses.limits, motor, limits, end,
-                                            line.mass, distance, line.velocity(a, b), step));
+                                            line.mass, distance, line.velocity(a, b), step,
+                                            step.greatest_length_gap));
         solve_limits<biased>(
-            limits, impulses.limits, line.mass, distance, step, [&] { return line.velocity(a, b); },
-            [&](float p) { line.push(ends, a, b, p); }, end, ends.greatest_pull);
+            limits, impulses.limits, line.mass, distance, step, step.greatest_length_gap,
+            [&] { return line.velocity(a, b); }, [&](float p) { line.push(ends, a, b, p); }, end,
+            ends.greatest_pull);
     }
 };
 

@@ -55,7 +55,6 @@ struct PrismaticConstraint {
     }
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
-        if (biased) close_wide_angle(ends, a, b, ends.angle_now(a, b) - reference, step);
         rail.follow(ends, a, b);
         rail.solve_alone<biased>(impulses.rail, ends, a, b, step);
         solve_block<biased>(a, b, step);
@@ -85,13 +84,16 @@ struct PrismaticConstraint {
         // other row.
         const float k22 = ia + ib > 0.0f ? ia + ib : 1.0f;
         float v1 = across.velocity(a, b), v2 = b.angular_velocity - a.angular_velocity;
-        float scale = 1.0f, rest = 0.0f;
+        float scale = 1.0f, rest = 0.0f, angle_rest = 0.0f;
         RailReaction reaction;
         if (biased) {
             const float offset = rail.close_wide_gap(ends, a, b, step);
             const Softness soft = step.softness(offset);
             v1 += soft.bias_rate * offset;
-            v2 += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
+            const float error = ends.angle_now(a, b) - reference;
+            const Softness angle_soft = step.angle_softness(error);
+            v2 += angle_soft.bias_rate * error;
+            angle_rest = angle_soft.impulse_scale;
             scale = soft.mass_scale;
             rest = soft.impulse_scale;
             reaction = rail.reaction(impulses.rail, ends, a, b, true);
@@ -101,7 +103,7 @@ struct PrismaticConstraint {
         const float inverse = inverse_or_zero(k11 * k22 - k12 * k12);
         const float p1 = -scale * inverse * (k22 * v1 - k12 * v2) - rest * own1;
         const float p2 =
-            ia + ib > 0.0f ? -scale * inverse * (k11 * v2 - k12 * v1) - rest * own2 : 0.0f;
+            ia + ib > 0.0f ? -scale * inverse * (k11 * v2 - k12 * v1) - angle_rest * own2 : 0.0f;
         impulses.rail.across += p1;
         impulses.angle += p2;
         across.push(ends, a, b, p1);

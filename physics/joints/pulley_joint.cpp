@@ -96,9 +96,9 @@ struct PulleyConstraint {
         follow(a, b);
         if (biased) close_wide_gap(a, b, step);
         const float velocity = -side_a.lengthening(a) - ratio * side_b.lengthening(b);
-        pull(
-            a, b,
-            push_limit<biased>(impulses.tension, mass, velocity, room(), step, ends.greatest_pull));
+        pull(a, b,
+             push_limit<biased>(impulses.tension, mass, velocity, room(), step,
+                                step.greatest_length_gap, ends.greatest_pull));
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         follow(a, b);

@@ -104,7 +104,8 @@ struct Rail {
             return;
         const FreeSlide free = free_slide(ends, a, b, twist != nullptr);
         coordinate.solve_bounds<biased>(
-            impulses.along, free.mass, translation, step, [&] { return along.velocity(a, b); },
+            impulses.along, free.mass, translation, step, step.greatest_length_gap,
+            [&] { return along.velocity(a, b); },
             [&](float p) {
                 along.push(ends, a, b, p);
                 across.push(ends, a, b, p * free.across);

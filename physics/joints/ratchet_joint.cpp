@@ -62,8 +62,9 @@ struct RatchetConstraint {
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         const float velocity = direction * (b.angular_velocity - a.angular_velocity);
-        detail::twist(
-            a, b, direction * push_limit<biased>(impulses.pawl, mass, velocity, room(a, b), step));
+        detail::twist(a, b,
+                      direction * push_limit<biased>(impulses.pawl, mass, velocity, room(a, b),
+                                                     step, step.greatest_angle_gap));
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         const Jacobian turning = Jacobian::turning(ends);

@@ -41,7 +41,7 @@ struct RotaryLimitConstraint {
     template <bool biased>
     void pass(SolverBody& a, SolverBody& b, const JointStep& step) {
         solve_limits<biased>(
-            limits, impulses, mass, angle(a, b), step,
+            limits, impulses, mass, angle(a, b), step, step.greatest_angle_gap,
             [&] { return b.angular_velocity - a.angular_velocity; },
             [&](float p) { detail::twist(a, b, p); });
     }

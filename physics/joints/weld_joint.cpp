@@ -74,7 +74,6 @@ struct WeldConstraint {
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
         ends.follow(a, b);
         solve_springs(a, b);
-        if (rigid_angle) close_wide_angle(ends, a, b, ends.angle_now(a, b) - reference, step);
         if (rigid_point) ends.close_wide_gap(a, b, ends.gap(a, b), step);
         if (rigid_point || rigid_angle) solve_rigid<true>(a, b, step);
     }
@@ -105,12 +104,15 @@ struct WeldConstraint {
     void solve_rigid(SolverBody& a, SolverBody& b, const JointStep& step) {
         Vec2 v = ends.velocity(a, b);
         float w = b.angular_velocity - a.angular_velocity;
-        float scale = 1.0f, rest = 0.0f;
+        float scale = 1.0f, rest = 0.0f, angle_rest = 0.0f;
         if (biased) {
             const Vec2 gap = ends.gap(a, b);
             const Softness soft = step.softness(gap);
             v = v + soft.bias_rate * gap;
-            w += step.rigid.bias_rate * (ends.angle_now(a, b) - reference);
+            const float error = ends.angle_now(a, b) - reference;
+            const Softness angle_soft = step.angle_softness(error);
+            w += angle_soft.bias_rate * error;
+            angle_rest = angle_soft.impulse_scale;
             scale = soft.mass_scale;
             rest = soft.impulse_scale;
         }
@@ -120,7 +122,8 @@ struct WeldConstraint {
             return apply(a, b, -scale * (mass * v) - rest * impulses.point, 0.0f);
         }
         scale *= ends.share;
-        if (!rigid_point) return apply(a, b, {}, -scale * angular_mass * w - rest * impulses.angle);
+        if (!rigid_point)
+            return apply(a, b, {}, -scale * angular_mass * w - angle_rest * impulses.angle);
         const Vec2 arm_a = cross(1.0f, ends.lever_a), arm_b = cross(1.0f, ends.lever_b);
         const Vec2 k = ia * arm_a + ib * arm_b, between = arm_a - arm_b;
         const float shared = ia * ib * angular_mass;
@@ -132,7 +135,8 @@ struct WeldConstraint {
         const Vec2 point = {-inverse * (yy * free.x - xy * free.y),
                             -inverse * (xx * free.y - xy * free.x)};
         const float angle = -angular_mass * (w + dot(k, point));
-        apply(a, b, scale * point - rest * impulses.point, scale * angle - rest * impulses.angle);
+        apply(a, b, scale * point - rest * impulses.point,
+              scale * angle - angle_rest * impulses.angle);
     }
     void solve_springs(SolverBody& a, SolverBody& b) {
         if (springy_angle && angular_mass > 0.0f) {

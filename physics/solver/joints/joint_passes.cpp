@@ -55,6 +55,9 @@ constexpr uint32_t least_motors = 2;
 /// The speed at which a rod, a rope or a limit closes a gap, m/s, if the load allows no greater
 /// one.
 constexpr float least_length_speed = 16.0f;
+/// The speed at which an angle comes to its limit or to that of its joint, rad/s, at any load.
+/// Between passes, bodies of a chain keep a part of the velocity of a correction.
+constexpr float angle_speed = 5.0f;
 
 /// Wider gaps, m, come from edits. Their excess is removed at this rate, 1/s.
 constexpr float least_wide_gap = 0.5f, wide_rate = 60.0f;
@@ -65,6 +68,7 @@ void use_load_settings(size_t load, JointStep& step) {
     step.rigid = make_softness(min(settings.hertz, settings.share / step.h), 2.0f, step.h);
     step.greatest_gap = settings.speed / step.rigid.bias_rate;
     step.greatest_length_gap = max(settings.speed, least_length_speed) / step.rigid.bias_rate;
+    step.greatest_angle_gap = angle_speed / step.rigid.bias_rate;
     step.wide_gap = max(least_wide_gap, step.greatest_gap);
     step.wide_share = min(wide_rate * step.h, 0.5f);
 }
@@ -367,7 +371,7 @@ void sweep_tuned(JointPass pass, JointScratch& joints, std::span<SolverBody> bod
         JointArray& array = joints.joint_arrays[JointScratch::tuned * joint_type_count + type];
         if (array.softness.empty()) continue;
         JointStep own = step;
-        own.greatest_gap = own.greatest_length_gap = infinity;
+        own.greatest_gap = own.greatest_length_gap = own.greatest_angle_gap = infinity;
         own.wide_share = 0.0f;
 
         for (size_t i = array.nodes.begin(nodes); i < array.nodes.end(nodes); ++i) {

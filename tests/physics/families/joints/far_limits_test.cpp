@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <vector>
 
 #include "catch.h"
 #include "family.h"
@@ -129,6 +131,108 @@ TEST_CASE("a limit that an edit puts meters away closes and throws nothing") {
         CHECK(fastest < 30);  // a gap is closed at 16 m/s
         CHECK(pair.beyond() < 0.05f);
     }
+}
+
+namespace {
+
+/// A row of bodies of a meter that is fixed at its left end, with joints of one kind. An edit
+/// changes the angle of the first joint, or turns a body.
+class Row {
+  public:
+    explicit Row(Random& random) : kind_(int(random(0, 5))), count_(1 + int(random(0, 5))) {
+        const float density = random(0.5f, 5);
+        Body last = world_.create_body({.type = BodyType::static_body, .position = {-1, 0}});
+        for (int i = 0; i < count_; ++i) {
+            Body next = world_.create_body({.position = {float(i), 0}});
+            next.add(Box{.width = 1, .height = 0.2f}, {.density = density, .group = -1});
+            join(last, next);
+            last = next;
+            bodies_.push_back(next);
+        }
+    }
+    /// Returns the greatest speed of a body in the three seconds after the edit.
+    float edit(Random& random) {
+        for (int i = 0; i < 60; ++i) world_.step(1.0f / 60);
+        const float angle = random(-2.5f, 2.5f);
+        switch (kind_) {
+            case 0:
+                world_.joint<WeldJoint>(joints_[0].id()).set_reference_angle(angle);
+                break;
+            case 1:
+                world_.joint<RevoluteJoint>(joints_[0].id()).set_lower_angle(angle);
+                world_.joint<RevoluteJoint>(joints_[0].id()).set_upper_angle(angle + 0.2f);
+                break;
+            case 2:
+                world_.joint<RotaryLimitJoint>(limit_.id()).set_lower_angle(angle);
+                world_.joint<RotaryLimitJoint>(limit_.id()).set_upper_angle(angle + 0.2f);
+                break;
+            case 3:
+                world_.joint<PrismaticJoint>(joints_[0].id()).set_reference_angle(angle);
+                break;
+            default:
+                bodies_[0].set_angle(angle);
+        }
+        float fastest = 0;
+        for (int i = 0; i < 180; ++i) {
+            world_.step(1.0f / 60);
+            for (const Body& body : bodies_) fastest = std::max(fastest, body.velocity().length());
+        }
+        return fastest;
+    }
+    float separation() const {
+        float widest = 0;
+        for (const Joint& joint : joints_) widest = std::max(widest, joint.separation());
+        return widest;
+    }
+    int kind() const { return kind_; }
+    int count() const { return count_; }
+
+  private:
+    void join(const Body& a, const Body& b) {
+        const JointDef ends{
+            .body_a = a.id(), .body_b = b.id(), .anchor_a = {0.5f, 0}, .anchor_b = {-0.5f, 0}};
+        const bool first = joints_.empty();
+        if (first && kind_ == 3) {
+            PrismaticJointDef def(ends);
+            def.lower_translation = def.upper_translation = 0;
+            joints_.push_back(world_.create_prismatic_joint(def));
+        } else if (kind_ == 1 || kind_ == 2) {
+            RevoluteJointDef def(ends);
+            if (!(first && kind_ == 2)) def.lower_angle = -0.1f, def.upper_angle = 0.1f;
+            joints_.push_back(world_.create_revolute_joint(def));
+        } else {
+            joints_.push_back(world_.create_weld_joint(ends));
+        }
+        if (first && kind_ == 2) {
+            RotaryLimitJointDef def(ends);
+            def.lower_angle = -0.1f, def.upper_angle = 0.1f;
+            limit_ = world_.create_rotary_limit_joint(def);
+        }
+    }
+
+    World world_;
+    int kind_, count_;
+    std::vector<Body> bodies_;
+    std::vector<Joint> joints_;
+    Joint limit_;
+};
+
+}  // namespace
+
+TEST_CASE("an angle that an edit changes by radians turns a row of bodies and throws nothing") {
+    float worst[6] = {};  // by number of bodies
+    for (unsigned seed = 0; seed < seeds_or(400); ++seed) {
+        Random random{std::mt19937(seed)};
+        Row row(random);
+        const float fastest = row.edit(random);
+        CAPTURE(seed, row.kind(), row.count());
+        worst[row.count()] = std::max(worst[row.count()], fastest);
+        CHECK(fastest <
+              7 * float(row.count()));  // an angle changes at 5 rad/s, and a row swings on
+        CHECK(row.separation() < 0.05f);
+    }
+    for (int count = 1; count <= 5; ++count)
+        std::printf("rows of %d bodies: fastest %.1f m/s\n", count, double(worst[count]));
 }
 
 }  // namespace far_limits_test
