@@ -12,7 +12,6 @@
 
 namespace fettle::console {
 
-using property::Handle;
 using property::Type;
 using property::Value;
 

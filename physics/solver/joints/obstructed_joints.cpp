@@ -67,8 +67,11 @@ class PressedBodies {
     /// another load, but it may also be on its way: rows of bodies pass a push on slowly. Half of
     /// it counts, so that nothing sways.
     float load() const { return weight_ + 0.5f * max(push_.impulse - weight_ - borne_, 0.0f); }
-    /// The greatest push of a motor in the next step.
-    float greatest_push() const { return is_borne() ? max(allowed() + load(), 0.0f) : infinity; }
+    /// The greatest push of a motor in the next step. Weights that press as well count, but not all
+    /// of what contacts bear: they may be those of heavy bodies below a light one.
+    float greatest_push() const {
+        return is_borne() ? max(allowed() + load(), 0.25f * allowed()) : infinity;
+    }
 
   private:
     /// As much of the push as makes contacts yield by `obstructed_depth`.

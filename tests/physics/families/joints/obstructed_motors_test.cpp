@@ -314,4 +314,36 @@ TEST_CASE("two motors that press against each other do not pass each other", "[f
     for (const float force : {100.0f, 1e3f, 1e4f, 1e5f}) CHECK(press_slides(force) < 0.06f);
 }
 
+// The pad counts as the lightest body, and the pile weighs more than 280 pads.
+TEST_CASE("a light pad presses a heavy pile with a force that does not flicker") {
+    for (const float rate : {20.0f, 60.0f, 144.0f}) {
+        World world;
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 20, .height = 1, .center = {0, -0.5f}});
+        float weight = 1;
+        for (const float mass : {5.0f, 25.0f}) {
+            Body crate =
+                world.create_body({.position = {0, mass == 5 ? 0.4f : 1.2f}, .mass = mass});
+            crate.add(Box{.width = 0.8f, .height = 0.8f});
+            weight += 10 * mass;
+        }
+        Body pad = world.create_body({.position = {0, 1.9f}, .mass = 0.1f});
+        pad.add(Box{.width = 1, .height = 0.3f});
+        PrismaticJointDef press{.body_b = pad.id(), .anchor_a = {0, 1.9f}, .axis = {0, 1}};
+        press.motor_speed = -0.5f, press.max_motor_force = 1e6f;
+        world.create_prismatic_joint(press);
+        float least = 1e6f, most = 0;
+        for (int i = 0; i < int(10 * rate); ++i) {
+            world.step(1 / rate);
+            float force = 0;
+            for (const auto& contact : ground.contacts()) force += contact.normal_force;
+            if (i > int(7 * rate)) least = std::min(least, force), most = std::max(most, force);
+        }
+        CAPTURE(rate);
+        CHECK(least > weight + 30);
+        CHECK(most < weight + 285);
+        CHECK(most < least + 2);
+    }
+}
+
 }  // namespace obstructed_motors_test
