@@ -78,6 +78,8 @@ struct JointEnds {
     float greatest_error = infinity;
     /// The greatest impulse in a sub-step of a row that holds a length and yields, N s.
     float greatest_pull = infinity;
+    /// The side whose body obstacles hold, or -1. See solver/joints/obstructed_joints.h.
+    int held = -1;
 
     void follow(const SolverBody& body_a, const SolverBody& body_b) {
         lever_a = turned(start_a, body_a.turn);

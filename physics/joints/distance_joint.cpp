@@ -157,7 +157,7 @@ struct DistanceConstraint {
         const bool is_strained = std::abs(excess) > obstructed_gap;
         const bool pushes = is_strained ? excess < 0.0f : impulses.sum() > 0.0f;
         const Vec2 towards = pushes ? -line.direction : line.direction;
-        return {is_strained, {towards, -towards}};
+        return {is_strained, !rigid, pushes, {towards, -towards}};
     }
     Drive drive() {
         if (!driven || motor.speed == 0.0f) return {};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 // All types of joints. Each type has one file with its settings (`Settings`), its solver
 // (`Constraint`), and its handle, which the public headers declare.
@@ -86,7 +87,11 @@ class JointFunctions {
                 presses = presses || may_press(drive, a, b);
                 is_strong = is_strong || load_of_drive(drive, a, b) > 0;
             }
-            if constexpr (has_length) presses |= c.pull_now().is_strained;
+            if constexpr (has_length) {
+                const Pull pull = c.pull_now();
+                presses =
+                    presses || pull.is_strained || may_be_held(source.objects, joint, pull, a, b);
+            }
         }
         return uint8_t((pulls_hard ? pull : 0) | (presses ? press : 0) | (is_strong ? strong : 0));
     }
@@ -111,6 +116,20 @@ class JointFunctions {
         }
     }
 
+    /// Calls `act(a, b)`. A body that obstacles hold gets the impulses of its rope in the next
+    /// sub-step only, with the warm start.
+    template <typename Act>
+    static void act_beside_obstacle(Constraint& c, SolverBody& a, SolverBody& b, Act&& act) {
+        if (!has_length || c.ends.held < 0) return act(a, b);
+        const bool is_a = c.ends.held == 0;
+        Vec2& inverse = is_a ? c.ends.inverse_a : c.ends.inverse_b;
+        const Vec2 own = std::exchange(inverse, Vec2{});
+        SolverBody copy = is_a ? a : b;
+        copy.inverse_inertia = 0.0f;
+        is_a ? act(copy, b) : act(a, copy);
+        inverse = own;
+    }
+
     static void warm_start(JointArray& array, std::span<SolverBody> bodies, const JointStep&,
                            JointRange range) {
         for_each(array, bodies, range,
@@ -119,19 +138,23 @@ class JointFunctions {
     static void solve(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                       JointRange range) {
         for_each(array, bodies, range, [&](Constraint& c, SolverBody& a, SolverBody& b) {
-            if constexpr (has_one_pass)
-                c.template pass<true>(a, b, step);
-            else
-                c.solve(a, b, step);
+            act_beside_obstacle(c, a, b, [&](SolverBody& of_a, SolverBody& of_b) {
+                if constexpr (has_one_pass)
+                    c.template pass<true>(of_a, of_b, step);
+                else
+                    c.solve(of_a, of_b, step);
+            });
         });
     }
     static void relax(JointArray& array, std::span<SolverBody> bodies, const JointStep& step,
                       JointRange range) {
         for_each(array, bodies, range, [&](Constraint& c, SolverBody& a, SolverBody& b) {
-            if constexpr (has_one_pass)
-                c.template pass<false>(a, b, step);
-            else
-                c.relax(a, b, step);
+            act_beside_obstacle(c, a, b, [&](SolverBody& of_a, SolverBody& of_b) {
+                if constexpr (has_one_pass)
+                    c.template pass<false>(of_a, of_b, step);
+                else
+                    c.relax(of_a, of_b, step);
+            });
         });
     }
 

@@ -93,9 +93,9 @@ struct PrismaticConstraint {
             const float error = ends.angle_now(a, b) - reference;
             const Softness angle_soft = step.angle_softness(error);
             v2 += angle_soft.bias_rate * error;
-            angle_rest = angle_soft.impulse_scale;
             scale = soft.mass_scale;
             rest = soft.impulse_scale;
+            angle_rest = min(rest, angle_soft.impulse_scale);
             reaction = rail.reaction(impulses.rail, ends, a, b, true);
         }
         const float own1 = impulses.rail.across - reaction.across,

@@ -108,7 +108,9 @@ struct PulleyConstraint {
         rows.limit(rope, room(), impulses.tension).high =
             double(ends.greatest_impulse(mass, float(rows.h())));
     }
-    Pull pull_now() const { return {too_long, {-side_a.direction, -side_b.direction}}; }
+    Pull pull_now() const {
+        return {too_long, true, false, {-side_a.direction, -side_b.direction}};
+    }
     JointLoad load() const { return {-(ratio * impulses.tension) * side_b.direction, 0.0f}; }
 
   private:

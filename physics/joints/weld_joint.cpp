@@ -112,9 +112,9 @@ struct WeldConstraint {
             const float error = ends.angle_now(a, b) - reference;
             const Softness angle_soft = step.angle_softness(error);
             w += angle_soft.bias_rate * error;
-            angle_rest = angle_soft.impulse_scale;
             scale = soft.mass_scale;
             rest = soft.impulse_scale;
+            angle_rest = min(rest, angle_soft.impulse_scale);
         }
         const float ia = a.inverse_inertia, ib = b.inverse_inertia;
         if (!rigid_angle || angular_mass == 0.0f) {

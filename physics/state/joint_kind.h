@@ -68,6 +68,8 @@ struct Drive {
 /// it draws its bodies. A rod that is too short pushes them apart.
 struct Pull {
     bool is_strained = false;
+    bool only_pulls = true;  ///< it is no rod
+    bool pushes = false;
     Vec2 towards[2];  ///< unit vectors
 };
 

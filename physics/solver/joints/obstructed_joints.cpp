@@ -160,14 +160,20 @@ class PressedBodies {
     std::vector<Pressed> bodies_;
 };
 
-/// How directly a body is pushed into an obstacle that it overlaps by more than `overlap`, or is
-/// nearer to than minus that: the cosine, 0 if there is none. The impulse of that contact may be
-/// missing, since a body that was thrown keeps none. `velocity`: of the push. `is_meant(obstacle)`
-/// says which obstacles count.
+/// How directly a body is pushed into an obstacle.
+struct Encounter {
+    float into = 0.0f;  ///< the cosine, 0 if there is no obstacle
+    Vec2 out;           ///< the normal of the obstacle
+};
+
+/// The obstacle that a body is pushed into most directly, of those that it overlaps by more than
+/// `overlap`, or is nearer to than minus that. The impulse of that contact may be missing, since a
+/// body that was thrown keeps none. `velocity`: of the push. `is_meant(obstacle)` says which
+/// obstacles count.
 template <typename IsMeant>
-float push_into_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap,
-                         IsMeant&& is_meant) {
-    float most = 0.0f;
+Encounter encounter_of(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap,
+                       IsMeant&& is_meant) {
+    Encounter most;
     objects.for_each_contact(body, [&](uint32_t slot) {
         const ContactRecord& c = objects.contacts[slot];
         const uint32_t other = objects.other_body(slot, body);
@@ -176,42 +182,74 @@ float push_into_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocit
         const Vec2 out = c.body_b == body ? c.manifold.normal : -c.manifold.normal;
         if (std::any_of(c.manifold.points, c.manifold.points + c.manifold.count,
                         [=](const ManifoldPoint& p) { return p.separation < -overlap; }))
-            most = max(most, -dot(out, velocity));
+            if (-dot(out, velocity) > most.into) most = {-dot(out, velocity), out};
     });
     return most;
 }
+const auto any_obstacle = [](uint32_t) { return true; };
+
 bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap) {
-    return push_into_obstacle(objects, body, velocity, overlap, [](uint32_t) { return true; }) >
-           steep;
+    return encounter_of(objects, body, velocity, overlap, any_obstacle).into > steep;
 }
 
-/// A rope, a rod or a pulley whose bodies are both held, by obstacles or because one is fixed,
-/// pulls with no more than its load and some weights. If it pulled like a spring over the gap, its
-/// force would do work on what it draws along an obstacle, and throw what slips round it. Under
-/// `soft_step` only.
+/// True if a push goes into an obstacle, and along it into another one: the two hold the body in a
+/// narrow gap.
+template <typename IsMeant>
+bool is_wedged(const ObjectState& objects, uint32_t body, Vec2 velocity, const Encounter& first,
+               IsMeant&& is_meant) {
+    constexpr float least = 0.05f;  // a cosine
+    if (!(first.into > least)) return false;
+    const Vec2 along = velocity + first.into * first.out;
+    return encounter_of(objects, body, along, -speculative_margin, is_meant).into >
+           least * length(along);
+}
+
+/// A rope, a rod or a pulley pulls bodies that obstacles hold with no more than its load and some
+/// weights. If it pulled like a spring over the gap, its force would do work on what it draws along
+/// an obstacle, and throw what slips round it. Where only one of two bodies is held, the pull moves
+/// the other one: the passes are too few to find that out, and what a rope drew into a narrow gap
+/// went through it, with no great force. Under `soft_step` only.
 void limit_pull(const JointSource& source, const JointRecord& joint, const Pull& pull,
                 const JointStep& step, JointEnds& ends, std::vector<uint32_t>& strained) {
     constexpr float acceleration = 100.0f;  // m/s², ten weights
-    float load = infinity, inverse_mass = 0.0f;
+    bool moves[2], held[2];
+    float load[2], inverse_mass = 0.0f;
     for (const size_t side : {0u, 1u}) {
         const uint32_t slot = joint.bodies[side];
         const BodyRecord& body = source.objects.bodies[slot];
-        if (body.mobility != Mobility::dynamic) continue;
+        moves[side] = body.mobility == Mobility::dynamic;
+        held[side] = !moves[side];
+        load[side] = infinity;
+        if (!moves[side]) continue;
         const Vec2 towards = pull.towards[side];
         const JointPush push = {
             step.h * length(joint.force), side == 0 ? -towards : towards, 0.0f, {}};
         PressedBodies pressed(source, joint, push, step, true);
         pressed.follow(side);
-        if (!pressed.is_borne() &&
-            !is_in_obstacle(source.objects, slot, towards, -speculative_margin))
-            return;
+        held[side] = pressed.is_borne() ||
+                     is_in_obstacle(source.objects, slot, towards, -speculative_margin);
+        load[side] = pressed.load();
         inverse_mass += body.inverse_mass;
-        load = min(load, pressed.load());
     }
-    for (const uint32_t slot : joint.bodies)
-        if (source.objects.bodies[slot].mobility == Mobility::dynamic) strained.push_back(slot);
-    // Weights on the way may help to pull.
-    ends.greatest_pull = max(load, 0.0f) + acceleration * step.h * inverse_or_zero(inverse_mass);
+    if (held[0] != held[1]) {
+        const size_t side = held[0] ? 0 : 1;
+        const uint32_t slot = joint.bodies[side];
+        if (!moves[side] || !pull.only_pulls ||
+            length_squared(source.columns.states[slot].velocity) > 1.0f)
+            return;
+        ends.held = int(side);
+        ends.greatest_pull =
+            2.0f * step.h * length(joint.force) +
+            acceleration * step.h * source.objects.bodies[joint.bodies[1 - side]].mass;
+    } else if (held[0]) {
+        // Weights on the way may help to pull.
+        ends.greatest_pull = max(min(load[0], load[1]), 0.0f) +
+                             acceleration * step.h * inverse_or_zero(inverse_mass);
+    } else {
+        return;
+    }
+    for (const size_t side : {0u, 1u})
+        if (moves[side]) strained.push_back(joint.bodies[side]);
 }
 
 /// A joint pulls for a small gap only if an obstacle bears the pull on one of its bodies.
@@ -249,12 +287,21 @@ void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, cons
     for (const size_t side : {0u, 1u}) {
         const uint32_t body = joint.bodies[side];
         if (source.objects.bodies[body].mobility != Mobility::dynamic) continue;
+        // An impact makes a rod shorter, too.
+        constexpr float slow = 2.0f;  // m/s
+        if (pull.pushes && length_squared(source.columns.states[body].velocity) > slow * slow)
+            continue;
         const bool any = pull.is_strained || moves_by_itself(source, joint.bodies[1 - side]);
-        const float into = push_into_obstacle(
-            source.objects, body, pull.towards[side], -speculative_margin,
-            [&](uint32_t obstacle) { return any || moves_by_itself(source, obstacle); });
-        if (!(into > least_into)) continue;
-        const float gap = solver == Solver::direct ? obstructed_gap : obstructed_gap / into;
+        const auto is_meant = [&](uint32_t obstacle) {
+            return any || moves_by_itself(source, obstacle);
+        };
+        const Vec2 towards = pull.towards[side];
+        const Encounter first =
+            encounter_of(source.objects, body, towards, -speculative_margin, is_meant);
+        if (!(first.into > least_into) &&
+            !is_wedged(source.objects, body, towards, first, is_meant))
+            continue;
+        const float gap = solver == Solver::direct ? obstructed_gap : obstructed_gap / first.into;
         ends.greatest_error = min(ends.greatest_error, gap);
     }
 }
@@ -298,7 +345,8 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
             limit_gap(source, joint, step, yields, ends);
         if (pull.is_strained || (by_movers && kind.pull != nullptr))
             limit_gap_of_rope(source, joint, pull, solver, ends);
-        if (yields && ends.greatest_error < infinity)
+        if (yields &&
+            (ends.greatest_error < infinity || may_be_held(source.objects, joint, pull, a, b)))
             limit_pull(source, joint, pull, step, ends, strained);
         if (solver != Solver::soft_step || kind.drive == nullptr) return;
         const Drive drive = kind.drive(array, k);

@@ -35,6 +35,17 @@ inline bool may_press(const Drive& drive, const SolverBody& a, const SolverBody&
     return drive.impulse * drive.impulse * max(mobility(a), mobility(b)) > speed * speed;
 }
 
+/// True if a rope pulls two bodies that move, and an obstacle may hold one of them.
+inline bool may_be_held(const ObjectState& objects, const JointRecord& joint, const Pull& pull,
+                        const SolverBody& a, const SolverBody& b) {
+    const auto touches = [&](uint32_t body) {
+        return objects.bodies[body].lists.first_contact != none;
+    };
+    return pull.only_pulls && a.inverse_mass > 0.0f && b.inverse_mass > 0.0f &&
+           length_squared(joint.force) > 0.0f &&
+           (touches(joint.bodies[0]) || touches(joint.bodies[1]));
+}
+
 /// Between a rope and an obstacle that moves, or that the rope is drawn to, there may be no
 /// solution from the first step on: a ball on a lift would have to be beside its rope's hook at
 /// once. Under `direct`, whose rows yield to nothing, that took forces without bound.
