@@ -19,6 +19,8 @@ constexpr float least_borne = 0.5f;
 constexpr float least_passed = 0.125f;
 /// The search for an obstacle ends here.
 constexpr size_t most_pressed = 32;
+/// What ropes pull with besides their load, as an acceleration, m/s².
+constexpr float ten_weights = 100.0f;
 
 /// The impulse with which a joint pushes body b in a sub-step; it pushes body a back.
 struct JointPush {
@@ -177,8 +179,7 @@ Encounter encounter_of(const ObjectState& objects, uint32_t body, Vec2 velocity,
     objects.for_each_contact(body, [&](uint32_t slot) {
         const ContactRecord& c = objects.contacts[slot];
         const uint32_t other = objects.other_body(slot, body);
-        if (!c.acts() || objects.bodies[other].mobility == Mobility::dynamic || !is_meant(other))
-            return;
+        if (!c.acts() || !is_meant(other)) return;
         const Vec2 out = c.body_b == body ? c.manifold.normal : -c.manifold.normal;
         if (std::any_of(c.manifold.points, c.manifold.points + c.manifold.count,
                         [=](const ManifoldPoint& p) { return p.separation < -overlap; }))
@@ -186,10 +187,11 @@ Encounter encounter_of(const ObjectState& objects, uint32_t body, Vec2 velocity,
     });
     return most;
 }
-const auto any_obstacle = [](uint32_t) { return true; };
-
 bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity, float overlap) {
-    return encounter_of(objects, body, velocity, overlap, any_obstacle).into > steep;
+    const auto is_fixed = [&](uint32_t other) {
+        return objects.bodies[other].mobility != Mobility::dynamic;
+    };
+    return encounter_of(objects, body, velocity, overlap, is_fixed).into > steep;
 }
 
 /// True if a push goes into an obstacle, and along it into another one: the two hold the body in a
@@ -211,7 +213,6 @@ bool is_wedged(const ObjectState& objects, uint32_t body, Vec2 velocity, const E
 /// went through it, with no great force. Under `soft_step` only.
 void limit_pull(const JointSource& source, const JointRecord& joint, const Pull& pull,
                 const JointStep& step, JointEnds& ends, std::vector<uint32_t>& strained) {
-    constexpr float acceleration = 100.0f;  // m/s², ten weights
     bool moves[2], held[2];
     float load[2], inverse_mass = 0.0f;
     for (const size_t side : {0u, 1u}) {
@@ -226,8 +227,14 @@ void limit_pull(const JointSource& source, const JointRecord& joint, const Pull&
             step.h * length(joint.force), side == 0 ? -towards : towards, 0.0f, {}};
         PressedBodies pressed(source, joint, push, step, true);
         pressed.follow(side);
-        held[side] = pressed.is_borne() ||
-                     is_in_obstacle(source.objects, slot, towards, -speculative_margin);
+        // What rolls or tips on another body bears nothing for a moment.
+        const auto is_meant = [&](uint32_t other) {
+            return other != joint.bodies[1 - side] &&
+                   (pull.is_strained || source.objects.bodies[other].mobility != Mobility::dynamic);
+        };
+        held[side] =
+            pressed.is_borne() ||
+            encounter_of(source.objects, slot, towards, -speculative_margin, is_meant).into > steep;
         load[side] = pressed.load();
         inverse_mass += body.inverse_mass;
     }
@@ -240,16 +247,40 @@ void limit_pull(const JointSource& source, const JointRecord& joint, const Pull&
         ends.held = int(side);
         ends.greatest_pull =
             2.0f * step.h * length(joint.force) +
-            acceleration * step.h * source.objects.bodies[joint.bodies[1 - side]].mass;
+            ten_weights * step.h * source.objects.bodies[joint.bodies[1 - side]].mass;
     } else if (held[0]) {
         // Weights on the way may help to pull.
-        ends.greatest_pull = max(min(load[0], load[1]), 0.0f) +
-                             acceleration * step.h * inverse_or_zero(inverse_mass);
+        ends.greatest_pull =
+            max(min(load[0], load[1]), 0.0f) + ten_weights * step.h * inverse_or_zero(inverse_mass);
     } else {
         return;
     }
     for (const size_t side : {0u, 1u})
         if (moves[side]) strained.push_back(joint.bodies[side]);
+}
+
+/// A rope that is too long pulls with at most twice its force, and some weights. What it draws to
+/// another body holds that one and is held by it, until one rolls away or tips over. If all of the
+/// pull for the open gap then acted at once, it would throw the body. A rod that is between bodies
+/// is limited in the same way.
+void limit_growth(const JointSource& source, const JointRecord& joint, const Pull& pull,
+                  const JointStep& step, JointEnds& ends) {
+    float inverse_mass = 0.0f;
+    bool limits = pull.only_pulls;
+    for (const size_t side : {0u, 1u}) {
+        const BodyRecord& body = source.objects.bodies[joint.bodies[side]];
+        if (body.mobility != Mobility::dynamic) continue;
+        inverse_mass += body.inverse_mass;
+        const auto moves = [&](uint32_t other) {
+            return source.objects.bodies[other].mobility == Mobility::dynamic;
+        };
+        const Encounter encounter = encounter_of(source.objects, joint.bodies[side],
+                                                 pull.towards[side], -speculative_margin, moves);
+        limits = limits || encounter.into > 0.0f;
+    }
+    if (limits)
+        ends.greatest_pull =
+            step.h * (2.0f * length(joint.force) + ten_weights * inverse_or_zero(inverse_mass));
 }
 
 /// A joint pulls for a small gap only if an obstacle bears the pull on one of its bodies.
@@ -293,7 +324,8 @@ void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, cons
             continue;
         const bool any = pull.is_strained || moves_by_itself(source, joint.bodies[1 - side]);
         const auto is_meant = [&](uint32_t obstacle) {
-            return any || moves_by_itself(source, obstacle);
+            return source.objects.bodies[obstacle].mobility != Mobility::dynamic &&
+                   (any || moves_by_itself(source, obstacle));
         };
         const Vec2 towards = pull.towards[side];
         const Encounter first =
@@ -345,6 +377,7 @@ void yield_to_obstacles(const JointSource& source, const JointStep& step, JointS
             limit_gap(source, joint, step, yields, ends);
         if (pull.is_strained || (by_movers && kind.pull != nullptr))
             limit_gap_of_rope(source, joint, pull, solver, ends);
+        if (yields && pull.is_strained) limit_growth(source, joint, pull, step, ends);
         if (yields &&
             (ends.greatest_error < infinity || may_be_held(source.objects, joint, pull, a, b)))
             limit_pull(source, joint, pull, step, ends, strained);

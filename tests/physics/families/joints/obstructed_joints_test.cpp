@@ -296,4 +296,53 @@ TEST_CASE("a rod that becomes longer presses nothing into the ground and throws 
     CHECK(deepest < 0.03f);
 }
 
+// A hook below a bridge or a crate. What tips or rolls there is held in one step and not in the
+// next.
+TEST_CASE("a rope that draws a body to another one does not throw it", "[families]") {
+    unsigned thrown = 0;
+    float fastest = 0;
+    const unsigned seeds = seeds_or(200);
+    for (unsigned seed = 0; seed < seeds; ++seed) {
+        Random random{std::mt19937(seed)};
+        World world;
+        Body ground = world.create_body({.type = BodyType::static_body});
+        ground.add(Box{.width = 30, .height = 1, .center = {0, -0.5f}});
+        for (const float x : {-1.5f, 1.5f})
+            ground.add(Box{.width = 0.3f, .height = 1.5f, .center = {x, 0.75f}});
+        const bool on_slab = random(0, 1) < 0.6f;
+        const float mass = random(0.5f, 5), top = on_slab ? 1.8f : 1.0f;
+        Body below = world.create_body({.position = {0, on_slab ? 1.65f : 0.5f}, .mass = mass});
+        below.add(Box{.width = on_slab ? 3.6f : 1.2f, .height = on_slab ? 0.3f : 1.0f});
+        Body drawn = world.create_body({.position = {random(-0.2f, 0.2f), top + 0.5f},
+                                        .angle = random(-3, 3),
+                                        .mass = mass * random(0.2f, 2)});
+        switch (int(random(0, 3))) {
+            case 0:
+                drawn.add(Circle{.radius = 0.3f});
+                break;
+            case 1:
+                drawn.add(Box{.width = 0.6f, .height = 0.6f});
+                break;
+            default:
+                drawn.add(Polygon{{{-0.35f, -0.2f}, {0.35f, -0.2f}, {0, 0.4f}}});
+        }
+        DistanceJointDef def{.body_b = drawn.id(), .anchor_a = {random(-0.5f, 0.5f), 0.1f}};
+        def.hertz = 0, def.max_length = top + 1;
+        DistanceJoint rope = world.create_distance_joint(def);
+        const float rate = random(30, 144), speed = random(0.5f, 3);
+        float length = top + 1, speed_of_seed = 0;
+        for (int i = 0; i < int(6 * rate); ++i) {
+            length = std::max(0.5f, length - speed / rate);
+            rope.set_max_length(length);
+            world.step(1 / rate);
+            speed_of_seed = std::max(speed_of_seed, drawn.velocity().length());
+        }
+        thrown += speed_of_seed > 10;
+        fastest = std::max(fastest, speed_of_seed);
+    }
+    std::printf("drawn to other bodies: %u of %u thrown, fastest %.1f m/s\n", thrown, seeds,
+                double(fastest));
+    CHECK(thrown <= seeds / 50);
+}
+
 }  // namespace obstructed_joints_test
