@@ -83,7 +83,7 @@ void pulley_cases(Cases& cases) {
 }
 
 void turning_cases(Cases& cases) {
-    const auto geared = [](Settings settings) {
+    const auto geared = [](JointSettings settings) {
         return [values = std::vector(settings)](Stage& s) {
             const Handle rotor = s.game.body("Circle", Vec2(8, 8), "kinematic");
             tie("GearJoint", Vec2(0, 0), {{"body_a", rotor}})(s);

@@ -18,7 +18,7 @@
 // rawset and rawget on instances              Lua: instances are not tables
 // collectgarbage("stop")                      base_functions.cpp allows collect, step, count
 // wrong self, stale handles                   guarded methods check the tag and the handle
-// .. and links in paths                       GameFiles; see tests/fettle/sandboxed_game_test.cpp
+// .. and links in paths                       GameFiles; see sandboxed_game_test.cpp
 
 #include "stage.h"
 

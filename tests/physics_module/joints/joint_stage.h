@@ -7,7 +7,7 @@
 
 namespace fettle::physics_module::testing {
 
-using Settings = std::initializer_list<std::pair<const char*, Value>>;
+using JointSettings = std::initializer_list<std::pair<const char*, Value>>;
 
 inline Case joint_case(std::function<void(Stage&)> prepare, Value value, int steps,
                        std::function<bool(Stage&)> effect) {
@@ -25,7 +25,8 @@ inline bool rose(Stage& s) {
 }
 
 /// Makes a joint of that class between the body at (0, 0.5) and a point of the world.
-inline std::function<void(Stage&)> tie(const char* of_class, const Vec2& to, Settings more = {}) {
+inline std::function<void(Stage&)> tie(const char* of_class, const Vec2& to,
+                                       JointSettings more = {}) {
     return [of_class, to, values = std::vector(more)](Stage& s) {
         s.other = s.game.make(of_class, s.world, {{"body_b", s.body}, {"anchor_a", to}});
         for (const auto& [property, value] : values) s.game.set(s.other, property, value);
@@ -46,7 +47,7 @@ inline std::function<void(Stage&)> fling_with(const char* property, Value value)
 }
 
 /// A case with the body tied at its center in the air; `then` acts on it afterwards.
-inline Case flung(const char* of_class, Settings settings, Value value,
+inline Case flung(const char* of_class, JointSettings settings, Value value,
                   std::function<bool(Stage&)> effect, std::function<void(Stage&)> then = fling,
                   int steps = 60) {
     Case one = joint_case(tie(of_class, Vec2(0, 0.5), settings), std::move(value), steps,

@@ -322,7 +322,7 @@ TEST_CASE("arguments of a method may be given by name") {
 }
 
 TEST_CASE("compressed files are decoded") {
-    for (const char* name : {"tests/app/sounds/tone.ogg", "tests/app/sounds/tone.flac"}) {
+    for (const char* name : {"tests/app/sound/tone.ogg", "tests/app/sound/tone.flac"}) {
         INFO(name);
         const auto file = std::make_shared<const SoundFile>(bytes_of(name));
         CHECK(file->duration() == Approx(0.25).margin(0.001));
@@ -342,8 +342,8 @@ TEST_CASE("compressed files are decoded") {
 TEST_CASE("damaged files are refused or played and never do harm") {
     std::mt19937 random(7);
     const std::vector<std::string> whole = {tone_file(440, 0.05),
-                                            bytes_of("tests/app/sounds/tone.ogg"),
-                                            bytes_of("tests/app/sounds/tone.flac")};
+                                            bytes_of("tests/app/sound/tone.ogg"),
+                                            bytes_of("tests/app/sound/tone.flac")};
     for (int i = 0; i < 900; ++i) {
         std::string bytes = whole[static_cast<std::size_t>(i % 3)];
         for (int changes = 0; changes < 8; ++changes)
