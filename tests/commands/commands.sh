@@ -434,7 +434,7 @@ case \$* in *framework/sail.cpp) echo 'sail.cpp:1:1: error: it is torn'; exit 1 
     expect_output "sail.cpp:1:1: error: it is torn"
     expect_output "FAILED   clang-tidy"
     grep -q -- 'build/tidy .*/several sources.cxx$' "$calls" || wrong "it should read what the compiler gets"
-    grep -q -- 'build/clang .*clang-analyzer.* framework/sail.cpp$' "$calls" || wrong "it should read each source"
+    grep -q -- 'build/alone .*clang-analyzer.* framework/sail.cpp$' "$calls" || wrong "it should read each source"
 }
 
 case_a_broken_build_fails_the_check() {
