@@ -66,7 +66,7 @@ std::optional<Handle> ReferencePicker::draw(const property::Property& property, 
     if (ImGui::IsWindowAppearing()) {
         search_.clear();
         stale_ = true;
-        ImGui::SetKeyboardFocusHere();
+        compat::give_keyboard();
     }
     ImGui::SetNextItemWidth(-1);
     const bool searched = !search_.empty();

@@ -73,7 +73,7 @@ void Inspector::draw_search(float right_free) {
     const char* const hint = "search by name, class, or mass > 5";
     const bool fits =
         text_width(hint) + 2 * ImGui::GetStyle().FramePadding.x < ImGui::GetContentRegionAvail().x;
-    if (frames_to_search_ > 0) ImGui::SetKeyboardFocusHere();
+    if (frames_to_search_ > 0) compat::give_keyboard();
     const std::string before = search_;
     input_line("##search", fits ? hint : "search", search_, ImGuiInputTextFlags_AutoSelectAll);
     const bool had_keyboard = searches_;

@@ -293,7 +293,7 @@ std::optional<std::string> Fields::text(const char* id, const std::string& value
     bool mine = typing_ == field || receives_focus(field, value);
     ImGui::SetNextItemWidth(width);
     std::string passive = mine ? std::string() : value;
-    if (mine && !typing_active_ && frames_to_focus_-- > 0) ImGui::SetKeyboardFocusHere();
+    if (mine && !typing_active_ && frames_to_focus_-- > 0) compat::give_keyboard();
     input_line(id, "", mine ? buffer_ : passive, ImGuiInputTextFlags_AutoSelectAll);
     bool active = ImGui::IsItemActive();
     if (!mine) {

@@ -1,7 +1,8 @@
 #pragma once
 // Differences between versions of Dear ImGui: passing keys (1.87), setting the clipboard (1.91.1),
 // ending windows after an exception (1.91.3), the outline of the widget that has the keyboard
-// (1.91.4), and making textures and glyphs (1.92). Only this file depends on the version.
+// (1.91.4), making textures and glyphs (1.92), and giving the keyboard to a widget (an error
+// of 1.90.1). Only this file depends on the version.
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -156,6 +157,15 @@ inline bool keyboard_moved() {
 /// Takes the keyboard away from the active widget.
 inline void release_keyboard() {
     ImGui::ClearActiveID();
+}
+/// Gives the keyboard to the next widget, in the next frame. Release 1.90.1 only does so if the
+/// widget that had it last is in the same window.
+inline void give_keyboard() {
+#if IMGUI_VERSION_NUM >= 19010 && IMGUI_VERSION_NUM < 19020
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    context.NavFocusScopeId = context.CurrentFocusScopeId;
+#endif
+    ImGui::SetKeyboardFocusHere();
 }
 inline bool enter_pressed() {
     return pressed(ImGuiKey_Enter) || pressed(ImGuiKey_Tab);

@@ -31,7 +31,7 @@ double difference(const Pixels& a, const Pixels& b) {
 }
 
 int compare(const std::string& kept, const std::string& drawn) {
-    constexpr double allowed = 0.002;
+    constexpr double allowed = FETTLE_ALLOWED_DIFFERENCE;
     const double share =
         difference(fettle::app::read_picture(kept), fettle::app::read_picture(drawn));
     if (share <= allowed) return 0;

@@ -17,6 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* no_sound =
+    "fettle: note: there is no sound device: the game plays on and is not heard\n";
+
 struct Outcome {
     int status = -1;
     std::string out;
@@ -100,7 +103,6 @@ TEST_CASE("a game of every template is drawn without an error") {
     if (skipped()) return;
     const auto pattern = GENERATE(as<std::string>(), "empty", "physics", "platformer", "topdown");
     const TemporaryFolder folder;
-    ::setenv("ALSOFT_DRIVERS", "null", 1);  // no note on a machine without a sound device
     REQUIRE(on_display(folder, "new game --template " + pattern).status == 0);
     const Outcome run =
         on_display(folder,
@@ -108,7 +110,7 @@ TEST_CASE("a game of every template is drawn without an error") {
                    "'30:input.mouse.left = true' --at '60:input.mouse.left = false'");
     INFO(pattern << "\n" << run.out);
     CHECK(run.status == 0);
-    CHECK(run.out.empty());
+    CHECK((run.out.empty() || run.out == no_sound));  // not every machine has a sound device
     CHECK(fs::file_size(folder.path / "game.png") > 3000);
 }
 
