@@ -60,10 +60,10 @@ class KeptList {
     static Memory& memory() {
         Kept& of_thread = kept();
         if (of_thread.memory == nullptr) [[unlikely]] {
-            of_thread.memory = new Memory;
             if (!of_thread.ended) {
                 thread_local const End end;  // at the end of the thread
             }
+            of_thread.memory = new Memory;
         }
         return *of_thread.memory;
     }

@@ -17,7 +17,6 @@ using property::Handle;
 using property::Property;
 using property::Row;
 using property::Tree;
-using property::Type;
 using property::Value;
 using property::Vec2;
 

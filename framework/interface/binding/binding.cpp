@@ -12,7 +12,6 @@ namespace fettle::interface {
 
 using property::List;
 using property::Place;
-using property::Property;
 using property::Type;
 using property::Value;
 

@@ -12,7 +12,6 @@ using property::ErrorKind;
 using property::Handle;
 using property::List;
 using property::Place;
-using property::Type;
 using property::Value;
 
 namespace {

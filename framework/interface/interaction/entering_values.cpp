@@ -7,7 +7,6 @@
 
 namespace fettle::interface {
 
-using property::Handle;
 using property::Value;
 
 namespace {

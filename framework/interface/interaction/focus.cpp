@@ -136,7 +136,8 @@ void Player::next(int direction) {
     int at = direction > 0 ? -1 : count;
     for (int i = 0; i < count; ++i)
         if (all[static_cast<std::size_t>(i)] == now) at = i;
-    focus(all[static_cast<std::size_t>((at + direction + count) % count)], true);
+    const int next = (at + direction + count) % count;  // NOLINT: there is a widget
+    focus(all[static_cast<std::size_t>(next)], true);
 }
 
 /// The nearest widget in that direction; if there is none, the farthest in the opposite one. Left

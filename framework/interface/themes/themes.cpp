@@ -5,7 +5,6 @@
 namespace fettle::interface {
 
 using property::Handle;
-using property::Property;
 
 void Themes::define(property::Tree& tree) {
     constexpr property::Range pixels{0, 1000};

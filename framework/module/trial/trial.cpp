@@ -44,8 +44,10 @@ class Descriptor {
         return *this;
     }
     int get() const { return number_; }
+    /// The number; the caller closes it.
+    int release() { return std::exchange(number_, -1); }
     void close() {
-        if (number_ >= 0) ::close(std::exchange(number_, -1));
+        if (number_ >= 0) ::close(release());  // NOLINT: it always has a value
     }
 
   private:
@@ -67,7 +69,7 @@ std::pair<Descriptor, Descriptor> stream() {
     Descriptor second(ends[1]);
     Descriptor ours = moved_up(ends[0]);
     fcntl(ours.get(), F_SETFL, O_NONBLOCK);
-    return {std::move(ours), moved_up(std::exchange(second, Descriptor()).get())};
+    return {std::move(ours), moved_up(second.release())};
 }
 
 fs::path found_program(const fs::path& module) {

@@ -23,7 +23,6 @@
 namespace fettle::script {
 
 using property::Change;
-using property::Connection;
 using property::Event;
 using property::Existence;
 using property::Occurrence;

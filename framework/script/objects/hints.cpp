@@ -6,6 +6,7 @@
 #include <fettle/property/spelling.h>
 
 #include <classes/script_classes.h>
+#include <classes/unplaced_instances.h>
 #include <lua/environment.h>
 #include <lua/exception_guard.h>
 #include <lua/host.h>

@@ -22,7 +22,6 @@
 namespace fettle::script {
 
 using property::Method;
-using property::Record;
 using property::Result;
 
 namespace {

@@ -8,7 +8,6 @@ namespace fettle::visuals {
 
 using property::accessor;
 using property::Color;
-using property::Handle;
 using property::Painter;
 using property::Property;
 using property::Type;

@@ -8,7 +8,6 @@
 namespace fettle::physics_module {
 namespace {
 
-using property::Field;
 using property::Method;
 using property::Result;
 
