@@ -1,0 +1,116 @@
+#include <solver/joints/encounters.h>
+#include <solver/joints/obstructed_joints.h>
+#include <solver/joints/obstructed_ropes.h>
+#include <solver/joints/pressed_bodies.h>
+
+#include <cmath>
+
+namespace fettle::physics::detail {
+namespace {
+
+/// What ropes pull with besides their load, as an acceleration, m/s².
+constexpr float ten_weights = 100.0f;
+
+/// True for a kinematic body that is not at rest.
+bool moves_by_itself(const JointSource& source, uint32_t body) {
+    return source.objects.bodies[body].mobility == Mobility::kinematic &&
+           !stands_still(source.columns.states[body]);
+}
+
+}  // namespace
+
+void limit_pull(const JointSource& source, const JointRecord& joint, const Pull& pull,
+                const JointStep& step, JointEnds& ends, std::vector<uint32_t>& strained) {
+    bool moves[2], held[2];
+    float load[2], inverse_mass = 0.0f;
+    for (const size_t side : {0u, 1u}) {
+        const uint32_t slot = joint.bodies[side];
+        const BodyRecord& body = source.objects.bodies[slot];
+        moves[side] = body.mobility == Mobility::dynamic;
+        held[side] = !moves[side];
+        load[side] = infinity;
+        if (!moves[side]) continue;
+        const Vec2 towards = pull.towards[side];
+        const JointPush push = {
+            step.h * length(joint.force), side == 0 ? -towards : towards, 0.0f, {}};
+        PressedBodies pressed(source, joint, push, step, true);
+        pressed.follow(side);
+        // What rolls or tips on another body bears nothing for a moment.
+        const auto is_meant = [&](uint32_t other) {
+            return other != joint.bodies[1 - side] &&
+                   (pull.is_strained || source.objects.bodies[other].mobility != Mobility::dynamic);
+        };
+        held[side] =
+            pressed.is_borne() ||
+            encounter_of(source.objects, slot, towards, -speculative_margin, is_meant).into > steep;
+        load[side] = pressed.load();
+        inverse_mass += body.inverse_mass;
+    }
+    if (held[0] != held[1]) {
+        const size_t side = held[0] ? 0 : 1;
+        const uint32_t slot = joint.bodies[side];
+        if (!moves[side] || !pull.only_pulls ||
+            length_squared(source.columns.states[slot].velocity) > 1.0f)
+            return;
+        ends.held = int(side);
+        ends.greatest_pull =
+            2.0f * step.h * length(joint.force) +
+            ten_weights * step.h * source.objects.bodies[joint.bodies[1 - side]].mass;
+    } else if (held[0]) {
+        // Weights on the way may help to pull.
+        ends.greatest_pull =
+            max(min(load[0], load[1]), 0.0f) + ten_weights * step.h * inverse_or_zero(inverse_mass);
+    } else {
+        return;
+    }
+    for (const size_t side : {0u, 1u})
+        if (moves[side]) strained.push_back(joint.bodies[side]);
+}
+
+void limit_growth(const JointSource& source, const JointRecord& joint, const Pull& pull,
+                  const JointStep& step, JointEnds& ends) {
+    float inverse_mass = 0.0f;
+    bool limits = pull.only_pulls;
+    for (const size_t side : {0u, 1u}) {
+        const BodyRecord& body = source.objects.bodies[joint.bodies[side]];
+        if (body.mobility != Mobility::dynamic) continue;
+        inverse_mass += body.inverse_mass;
+        const auto moves = [&](uint32_t other) {
+            return source.objects.bodies[other].mobility == Mobility::dynamic;
+        };
+        const Encounter encounter = encounter_of(source.objects, joint.bodies[side],
+                                                 pull.towards[side], -speculative_margin, moves);
+        limits = limits || encounter.into > 0.0f;
+    }
+    if (limits)
+        ends.greatest_pull =
+            step.h * (2.0f * length(joint.force) + ten_weights * inverse_or_zero(inverse_mass));
+}
+
+void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, const Pull& pull,
+                       Solver solver, JointEnds& ends) {
+    const float least_into = solver == Solver::direct ? steep : 0.05f;  // a cosine
+    for (const size_t side : {0u, 1u}) {
+        const uint32_t body = joint.bodies[side];
+        if (source.objects.bodies[body].mobility != Mobility::dynamic) continue;
+        // An impact makes a rod shorter, too.
+        constexpr float slow = 2.0f;  // m/s
+        if (pull.pushes && length_squared(source.columns.states[body].velocity) > slow * slow)
+            continue;
+        const bool any = pull.is_strained || moves_by_itself(source, joint.bodies[1 - side]);
+        const auto is_meant = [&](uint32_t obstacle) {
+            return source.objects.bodies[obstacle].mobility != Mobility::dynamic &&
+                   (any || moves_by_itself(source, obstacle));
+        };
+        const Vec2 towards = pull.towards[side];
+        const Encounter first =
+            encounter_of(source.objects, body, towards, -speculative_margin, is_meant);
+        if (!(first.into > least_into) &&
+            !is_wedged(source.objects, body, towards, first, is_meant))
+            continue;
+        const float gap = solver == Solver::direct ? obstructed_gap : obstructed_gap / first.into;
+        ends.greatest_error = min(ends.greatest_error, gap);
+    }
+}
+
+}  // namespace fettle::physics::detail
