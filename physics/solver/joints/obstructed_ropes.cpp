@@ -17,6 +17,34 @@ bool moves_by_itself(const JointSource& source, uint32_t body) {
            !stands_still(source.columns.states[body]);
 }
 
+bool is_dynamic(const ObjectState& objects, uint32_t body) {
+    return objects.bodies[body].mobility == Mobility::dynamic;
+}
+
+/// True if a body touches something that is not dynamic, or is joined to it.
+bool is_supported(const ObjectState& objects, uint32_t body) {
+    bool found = false;
+    objects.for_each_contact(body, [&](uint32_t contact) {
+        found = found || (objects.contacts[contact].acts() &&
+                          !is_dynamic(objects, objects.other_body(contact, body)));
+    });
+    objects.for_each_joint(body, [&](uint32_t joint, uint32_t side) {
+        found = found || !is_dynamic(objects, objects.joints[joint].bodies[1 - side]);
+    });
+    return found;
+}
+
+/// The greatest pull of the next sub-step, N s: twice that of the last one, some weights, and what
+/// stops a mass whose speed makes the rope longer, as when something falls onto a load.
+float next_pull(const JointSource& source, const JointRecord& joint, const Pull& pull,
+                const JointStep& step, float mass) {
+    float lengthening = 0.0f;  // m/s
+    for (const size_t side : {0u, 1u})
+        lengthening -= dot(source.columns.states[joint.bodies[side]].velocity, pull.towards[side]);
+    return 2.0f * step.h * length(joint.force) +
+           mass * (ten_weights * step.h + max(lengthening, 0.0f));
+}
+
 }  // namespace
 
 void limit_pull(const JointSource& source, const JointRecord& joint, const Pull& pull,
@@ -26,7 +54,7 @@ void limit_pull(const JointSource& source, const JointRecord& joint, const Pull&
     for (const size_t side : {0u, 1u}) {
         const uint32_t slot = joint.bodies[side];
         const BodyRecord& body = source.objects.bodies[slot];
-        moves[side] = body.mobility == Mobility::dynamic;
+        moves[side] = is_dynamic(source.objects, slot);
         held[side] = !moves[side];
         load[side] = infinity;
         if (!moves[side]) continue;
@@ -37,8 +65,9 @@ void limit_pull(const JointSource& source, const JointRecord& joint, const Pull&
         pressed.follow(side);
         // What rolls or tips on another body bears nothing for a moment.
         const auto is_meant = [&](uint32_t other) {
-            return other != joint.bodies[1 - side] &&
-                   (pull.is_strained || source.objects.bodies[other].mobility != Mobility::dynamic);
+            return !is_dynamic(source.objects, other) ||
+                   (pull.is_strained && other != joint.bodies[1 - side] &&
+                    is_supported(source.objects, other));
         };
         held[side] =
             pressed.is_borne() ||
@@ -53,9 +82,8 @@ void limit_pull(const JointSource& source, const JointRecord& joint, const Pull&
             length_squared(source.columns.states[slot].velocity) > 1.0f)
             return;
         ends.held = int(side);
-        ends.greatest_pull =
-            2.0f * step.h * length(joint.force) +
-            ten_weights * step.h * source.objects.bodies[joint.bodies[1 - side]].mass;
+        const float mass = source.objects.bodies[joint.bodies[1 - side]].mass;
+        ends.greatest_pull = next_pull(source, joint, pull, step, mass);
     } else if (held[0]) {
         // Weights on the way may help to pull.
         ends.greatest_pull =
@@ -83,8 +111,7 @@ void limit_growth(const JointSource& source, const JointRecord& joint, const Pul
         limits = limits || encounter.into > 0.0f;
     }
     if (limits)
-        ends.greatest_pull =
-            step.h * (2.0f * length(joint.force) + ten_weights * inverse_or_zero(inverse_mass));
+        ends.greatest_pull = next_pull(source, joint, pull, step, inverse_or_zero(inverse_mass));
 }
 
 void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, const Pull& pull,

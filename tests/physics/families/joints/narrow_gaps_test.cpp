@@ -131,4 +131,34 @@ TEST_CASE("a heavy player swings on the rope of a light hook that walls hold") {
     }
 }
 
+// A crate is drawn to a beam by a load on the other end of a rope over two wheels, and a body falls
+// onto the load. What lies on the load is no obstacle.
+TEST_CASE("a body that falls onto the load of a held rope hardly stretches it") {
+    for (unsigned seed = 0; seed < seeds_or(50); ++seed) {
+        Random random{std::mt19937(seed)};
+        World world;
+        Body beam = world.create_body({.type = BodyType::static_body, .position = {5, 7.9f}});
+        beam.add(Box{.width = 2, .height = 0.2f});
+        Body crate = world.create_body({.position = {5, 7.4f}, .mass = random(0.2f, 0.8f)});
+        crate.add(Box{.width = 0.6f, .height = 0.6f});
+        Body load = world.create_body({.position = {7, 4}});
+        load.add(Box{});
+        PulleyJointDef def{.body_a = crate.id(), .body_b = load.id()};
+        def.ground_a = {5, 9}, def.ground_b = {7, 9};
+        PulleyJoint rope = world.create_pulley_joint(def);
+        for (int i = 0; i < 120; ++i) world.step(1.0f / 60);
+        Body falls = world.create_body(
+            {.position = {7, load.position().y + random(1, 5)}, .mass = random(0.3f, 2)});
+        falls.add(Circle{.radius = 0.3f});
+        float longest = 0;
+        for (int i = 0; i < 120; ++i) {
+            world.step(1.0f / 60);
+            longest = std::max(longest, rope.separation());
+        }
+        CAPTURE(seed);
+        CHECK(longest < 0.2f);
+        CHECK(rope.separation() < 0.05f);
+    }
+}
+
 }  // namespace narrow_gaps_test
