@@ -69,8 +69,8 @@ struct Drive {
 struct Pull {
     bool is_strained = false;
     bool only_pulls = true;  ///< it is no rod
-    bool pushes = false;
-    Vec2 towards[2];  ///< unit vectors
+    bool pushes = false;     ///< a rod that is too short, or bears a load
+    Vec2 towards[2];         ///< unit vectors
 };
 
 /// What the force of a joint may concern. Bits.

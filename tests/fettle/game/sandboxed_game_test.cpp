@@ -23,8 +23,8 @@ Outcome play(const Folder& folder, const std::string& main, std::vector<std::str
     return fettle(folder, all);
 }
 
-// The address sanitizer reserves more address space than any limit allows.
-#ifdef __SANITIZE_ADDRESS__
+// These sanitizers reserve more address space than any limit allows.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 const std::string limited_memory;
 #else
 const std::string limited_memory = "ulimit -v 2000000; ";
