@@ -10,6 +10,10 @@ namespace fettle::physics::detail {
 /// A push goes into an obstacle if the cosine to its normal is greater than this.
 inline constexpr float steep = 0.7f;
 
+inline bool is_dynamic(const ObjectState& objects, uint32_t body) {
+    return objects.bodies[body].mobility == Mobility::dynamic;
+}
+
 /// How directly a body is pushed into an obstacle.
 struct Encounter {
     float into = 0.0f;  ///< the cosine, 0 if there is no obstacle
@@ -37,9 +41,7 @@ Encounter encounter_of(const ObjectState& objects, uint32_t body, Vec2 velocity,
 }
 inline bool is_in_obstacle(const ObjectState& objects, uint32_t body, Vec2 velocity,
                            float overlap) {
-    const auto is_fixed = [&](uint32_t other) {
-        return objects.bodies[other].mobility != Mobility::dynamic;
-    };
+    const auto is_fixed = [&](uint32_t other) { return !is_dynamic(objects, other); };
     return encounter_of(objects, body, velocity, overlap, is_fixed).into > steep;
 }
 

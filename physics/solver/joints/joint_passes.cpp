@@ -56,7 +56,7 @@ constexpr uint32_t least_motors = 2;
 /// one.
 constexpr float least_length_speed = 16.0f;
 /// The speed at which an angle comes to its limit or to that of its joint, rad/s, at any load.
-/// Between passes, bodies of a chain keep a part of the velocity of a correction.
+/// The bodies of a chain keep a part of the velocity of a correction.
 constexpr float angle_speed = 5.0f;
 
 /// Wider gaps, m, come from edits. Their excess is removed at this rate, 1/s.

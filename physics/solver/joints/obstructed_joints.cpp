@@ -17,7 +17,7 @@ void limit_gap(const JointSource& source, const JointRecord& joint, const JointS
     const JointPush push = {step.h * pull, (1.0f / pull) * joint.force, 0.0f, {}};
     PressedBodies pressed(source, joint, push, step, yielding);
     for (const size_t side : {0u, 1u}) {
-        if (source.objects.bodies[joint.bodies[side]].mobility != Mobility::dynamic) continue;
+        if (!is_dynamic(source.objects, joint.bodies[side])) continue;
         pressed.follow(side);
         if (pressed.borne() > least_borne * push.impulse ||
             is_in_obstacle(source.objects, joint.bodies[side], side == 0 ? -push.along : push.along,
@@ -37,7 +37,7 @@ void limit_motor(const JointSource& source, const JointRecord& joint, const Driv
     PressedBodies pressed(source, joint, push, step, true);
     float greatest = *drive.greatest;
     for (const size_t side : {0u, 1u}) {
-        if (source.objects.bodies[joint.bodies[side]].mobility != Mobility::dynamic) continue;
+        if (!is_dynamic(source.objects, joint.bodies[side])) continue;
         pressed.follow(side);
         const float allowed = pressed.greatest_push();
         if (allowed == infinity) return;

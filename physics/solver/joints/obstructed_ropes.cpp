@@ -17,10 +17,6 @@ bool moves_by_itself(const JointSource& source, uint32_t body) {
            !stands_still(source.columns.states[body]);
 }
 
-bool is_dynamic(const ObjectState& objects, uint32_t body) {
-    return objects.bodies[body].mobility == Mobility::dynamic;
-}
-
 /// True if a body touches something that is not dynamic, or is joined to it.
 bool is_supported(const ObjectState& objects, uint32_t body) {
     bool found = false;
@@ -101,11 +97,9 @@ void limit_growth(const JointSource& source, const JointRecord& joint, const Pul
     bool limits = pull.only_pulls;
     for (const size_t side : {0u, 1u}) {
         const BodyRecord& body = source.objects.bodies[joint.bodies[side]];
-        if (body.mobility != Mobility::dynamic) continue;
+        if (!is_dynamic(source.objects, joint.bodies[side])) continue;
         inverse_mass += body.inverse_mass;
-        const auto moves = [&](uint32_t other) {
-            return source.objects.bodies[other].mobility == Mobility::dynamic;
-        };
+        const auto moves = [&](uint32_t other) { return is_dynamic(source.objects, other); };
         const Encounter encounter = encounter_of(source.objects, joint.bodies[side],
                                                  pull.towards[side], -speculative_margin, moves);
         limits = limits || encounter.into > 0.0f;
@@ -119,14 +113,14 @@ void limit_gap_of_rope(const JointSource& source, const JointRecord& joint, cons
     const float least_into = solver == Solver::direct ? steep : 0.05f;  // a cosine
     for (const size_t side : {0u, 1u}) {
         const uint32_t body = joint.bodies[side];
-        if (source.objects.bodies[body].mobility != Mobility::dynamic) continue;
+        if (!is_dynamic(source.objects, body)) continue;
         // An impact makes a rod shorter, too.
         constexpr float slow = 2.0f;  // m/s
         if (pull.pushes && length_squared(source.columns.states[body].velocity) > slow * slow)
             continue;
         const bool any = pull.is_strained || moves_by_itself(source, joint.bodies[1 - side]);
         const auto is_meant = [&](uint32_t obstacle) {
-            return source.objects.bodies[obstacle].mobility != Mobility::dynamic &&
+            return !is_dynamic(source.objects, obstacle) &&
                    (any || moves_by_itself(source, obstacle));
         };
         const Vec2 towards = pull.towards[side];

@@ -130,8 +130,11 @@ float two_pressers(unsigned seed, Solver solver) {
     s.add_squeezed({0, 0});
     const float head = s.size * s.random(0.4f, 3), place = 1.6f * (s.size + head);
     const auto aside = [&] { return s.random(-0.4f, 0.4f) * (head + s.size); };
-    Body left = s.presser({-place, aside()}, s.random(-3, 3));
-    Body right = s.presser({place, aside()}, s.random(-3, 3));
+    // One after the other, so that every compiler draws the same worlds.
+    const float left_angle = s.random(-3, 3), left_aside = aside();
+    Body left = s.presser({-place, left_aside}, left_angle);
+    const float right_angle = s.random(-3, 3), right_aside = aside();
+    Body right = s.presser({place, right_aside}, right_angle);
     s.add_shape(left, head);
     s.add_shape(right, head);
     s.press = [left, right, speed = s.speed, slower = s.random(0, 1)](float, float share) mutable {
@@ -248,10 +251,9 @@ Result squeeze_many(float (*family)(unsigned, Solver), const char* name, Solver 
 
 constexpr Solver solvers[] = {Solver::soft_step, Solver::sequential, Solver::direct};
 
-/// How many worlds may fail: two of five hundred, and one of fifty.
+/// How many worlds may fail: two of five hundred.
 int allowed_failures() {
-    const int seeds = int(families::seeds_or(50));
-    return std::max(seeds / 250, seeds / 50 > 0 ? 1 : 0);
+    return int(families::seeds_or(50)) / 250;
 }
 
 void check_none_is_thrown(float (*family)(unsigned, Solver), const char* name) {
