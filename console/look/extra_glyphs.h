@@ -1,8 +1,9 @@
 #pragma once
-// Characters that the fonts are not built with at first, such as Chinese ones and emoji: they are
-// added when a text with them is drawn. All of them at once would take a texture of many megabytes.
-// Until version 1.92, Dear ImGui makes all glyphs of a font together, so the fonts are built again
-// when there are new characters. Since then it asks for each one when it is drawn first.
+// Characters that the fonts are not built with at first, such as Chinese ones, stars and emoji:
+// they are added when a text with them is drawn. All of them at once would take a texture of many
+// megabytes. Until version 1.92, Dear ImGui makes all glyphs of a font together, so the fonts are
+// built again when there are new characters. Since then it asks for each one when it is drawn
+// first.
 //
 // A character of Debian's Dear ImGui has 16 bits. So each character beyond U+FFFF gets a stand-in
 // when it is seen first, from a range of rare Chinese characters (U+3400 to U+4DBF). Dear ImGui
@@ -29,9 +30,9 @@ class ExtraGlyphs {
   public:
     static constexpr std::size_t most = 4000;  ///< characters
 
-    /// Characters for units and names, which the fonts always have: Latin, Greek, Cyrillic,
-    /// punctuation, superscripts, currency, letterlike, arrows, mathematics, box drawing, geometric
-    /// shapes, dingbats.
+    /// What most texts consist of, which the fonts always have: Latin letters of European
+    /// languages, Greek and Russian ones, punctuation, superscripts, currency, arrows, common
+    /// mathematics, box drawing, geometric shapes, check marks.
     static const ImWchar* always();
     /// The ranges of all characters but those and control characters; they end with 0.
     static const ImWchar* others();
