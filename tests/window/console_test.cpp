@@ -278,7 +278,7 @@ TEST_CASE("a run in a window is recorded from its first step when a recording is
     CHECK(replay() == 0);
 }
 
-TEST_CASE("a terminal stays attached when the game begins again and hears of both") {
+TEST_CASE("a terminal stays attached when the game begins again and hears of both", "[long]") {
     if (skipped()) return;
     const TemporaryFolder sockets;
     const std::map<std::string, std::string> environment = {
@@ -322,7 +322,7 @@ TEST_CASE("a game saved in a window has a picture") {
     CHECK(game.prints("saved\tsave:a\tnil"));
 }
 
-TEST_CASE("an endless script is shown in a window and can be stopped there") {
+TEST_CASE("an endless script is shown in a window and can be stopped there", "[long]") {
     if (skipped()) return;
     GameWindow game(source / "tests" / "window" / "game");
     REQUIRE(game.prints("ready"));

@@ -54,7 +54,7 @@ TEST_CASE("a signal ends a run in order") {
     CHECK(contains(next.out, "o.last: nothing → 1"));
 }
 
-TEST_CASE("an endless script is stopped and closing is still called") {
+TEST_CASE("an endless script is stopped and closing is still called", "[long]") {
     const std::string loops[] = {
         "while true do end",
         "while true do pcall(error) end",
@@ -86,7 +86,7 @@ TEST_CASE("an endless script is stopped and closing is still called") {
     CHECK(contains(end.err, "stopped: it was interrupted"));
 }
 
-TEST_CASE("closing is stopped after some seconds") {
+TEST_CASE("closing is stopped after some seconds", "[long]") {
     const Folder folder;
     const std::string file = folder.write(
         "main.lua",

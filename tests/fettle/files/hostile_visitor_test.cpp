@@ -353,7 +353,7 @@ TEST_CASE("output that cannot be written is reported") {
 
 // --- No memory
 
-TEST_CASE("out of memory is reported with its place and limit") {
+TEST_CASE("out of memory is reported with its place and limit", "[long]") {
     const Folder folder;
     folder.write("table.lua", "local t = {}\nfor i = 1, 1e9 do t[i] = ('x'):rep(1000) .. i end");
     const Outcome table = play(folder, "table.lua");

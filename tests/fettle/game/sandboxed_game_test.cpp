@@ -32,7 +32,7 @@ const std::string limited_memory = "ulimit -v 2000000; ";
 
 }  // namespace
 
-TEST_CASE("each limit of a sandbox is reported with its place and value") {
+TEST_CASE("each limit of a sandbox is reported with its place and value", "[long]") {
     const auto [main, reason] = GENERATE(table<std::string, std::string>({
         // instructions, memory, instances, handlers, timers, log, disk, time
         {"while true do end", "main.lua:1: stopped: it ran past its budget of 100000000 instr"},
@@ -167,7 +167,7 @@ TEST_CASE("instances that make instances when they are ready have the limit of a
     CHECK(contains(run.err, "instances, and this game may have 100000"));
 }
 
-TEST_CASE("one replacement of a text takes no more memory than a game may have") {
+TEST_CASE("one replacement of a text takes no more memory than a game may have", "[long]") {
     const std::string replacement =
         GENERATE(as<std::string>{}, "gsub('.+', ('%0'):rep(1000))", "gsub('.', ('x'):rep(1e6))",
                  "gsub('.', ('%%'):rep(1e6))", "gsub('.', { a = ('x'):rep(1e6) })");
@@ -223,7 +223,7 @@ TEST_CASE("a store with very many values is written in a short time") {
     CHECK(run.status == 0);
 }
 
-TEST_CASE("a text that takes long to compile is stopped") {
+TEST_CASE("a text that takes long to compile is stopped", "[long]") {
     // Lua compares each name with all local variables of all functions around it, which may be
     // 32767 in Lua 5.4.9.
     const std::string text =

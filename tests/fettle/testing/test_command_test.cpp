@@ -270,7 +270,7 @@ end)
                    "library called exit()"));
 }
 
-TEST_CASE("a test that never ends is stopped") {
+TEST_CASE("a test that never ends is stopped", "[long]") {
     const Folder folder;
     const Outcome run = run_tests(folder, R"lua(
 test("steps", function(t) while true do t:steps(1) end end)

@@ -45,7 +45,7 @@ TEST_CASE("an endless loop in a game is stopped if the host does not extend its 
     CHECK(s.console("1 + 1") == "2");
 }
 
-TEST_CASE("an endless loop is stopped in every kind of call by the host") {
+TEST_CASE("an endless loop is stopped in every kind of call by the host", "[long]") {
     Stage s;
     s.run(R"lua(
 function update() if loops == "update" then while true do end end end
@@ -84,7 +84,7 @@ loops = ""
     CHECK(s.errors.empty());
 }
 
-TEST_CASE("the host gets the place of a long call and may extend its time") {
+TEST_CASE("the host gets the place of a long call and may extend its time", "[long]") {
     Stage s;
     std::vector<std::string> places;
     std::string said;
@@ -115,7 +115,8 @@ result = spin()
 }
 
 TEST_CASE(
-    "the function of the host for long calls is called at intervals until the call is stopped") {
+    "the function of the host for long calls is called at intervals until the call is stopped",
+    "[long]") {
     Stage s;
     int host_calls = 0;
     s.runtime->limit_calls(patience, [&](const LongCall&) { return ++host_calls < 4; });
@@ -138,7 +139,7 @@ TEST_CASE("a long call whose runtime is destroyed is stopped with any answer") {
     CHECK(s.runtime == nullptr);
 }
 
-TEST_CASE("calls are limited only if the host requests it") {
+TEST_CASE("calls are limited only if the host requests it", "[long]") {
     Stage s;
     s.runtime->limit_calls(patience, {});
     s.runtime->limit_calls(0, {});
@@ -154,7 +155,7 @@ TEST_CASE("a console command keeps its own budget while calls are limited") {
     CHECK(host_calls == 0);
 }
 
-TEST_CASE("an endless call is stopped by default for every kind of runtime") {
+TEST_CASE("an endless call is stopped by default for every kind of runtime", "[long]") {
     CHECK(fettle::script::Options().call_seconds == 10);
     fettle::script::Options options;
     options.call_seconds = patience;
