@@ -377,6 +377,19 @@ case_a_build_folder_that_was_moved_is_made_again() {
     expect_output "configuring it anew"
 }
 
+case_check_builds_the_benchmark_only_for_long_runs_or_where_it_was_built_before() {
+    local cache=$project/build/release/CMakeCache.txt
+    run "$project/check"
+    grep -q "^FETTLE_BUILD_BENCH:.*=OFF$" "$cache" || wrong "it is not needed"
+    run "$project/check" harbor
+    grep -q "^FETTLE_BUILD_BENCH:.*=ON$" "$cache" || wrong "a test of it may match"
+    run "$project/check"
+    grep -q "^FETTLE_BUILD_BENCH:.*=ON$" "$cache" || wrong "it was built before"
+    rm -r "$project/build"
+    run "$project/check" --sanitize
+    grep -q "^FETTLE_BUILD_BENCH:.*=ON$" "$cache" || wrong "a long run tests it"
+}
+
 case_the_summary_names_what_failed() {
     touch "$project/broken"
     run "$project/check"
