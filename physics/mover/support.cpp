@@ -10,6 +10,12 @@ bool is_pushed(const Load& load) {
     return load.force.x != 0.0f || load.force.y != 0.0f || load.torque != 0.0f;
 }
 
+/// A mover weighs at most this many times as much as the part of a body that its feet move:
+/// contacts and joints yield by some cm under more than that, and throw the body when it slips out.
+/// On ground that cannot move a body holds most; what floats should sink no faster than the mover
+/// falls.
+constexpr float most_on_ground = 30.0f, most_on_others = 8.0f, most_afloat = 2.0f;
+
 /// A direction in which something holds a point of a body.
 struct Hold {
     Vec2 arm, direction;
@@ -97,29 +103,38 @@ float weight_share(const WorldData& data, uint32_t body, const Position& point, 
                    float mass) {
     const BodyRecord& record = data.bodies[body];
     const BodyState& state = data.states[body];
+    const Vec2 arm = point - record.center;
+    Response response{record.inverse_mass, record.inverse_inertia, {}};
+    response.push(arm, down);
+    const auto at_most = [own = 1.0f / (mass * response.speed(arm, down))](float times) {
+        return min(1.0f, times * own);
+    };
+    // Fields and forces of the host may carry it, by how much is not known.
+    if (data.field_slots.count > 0 || is_pushed(record.load) || is_pushed(record.step_load))
+        return at_most(most_afloat);
     std::vector<Hold> holds;
-    bool fixed =
-        data.field_slots.count > 0 || is_pushed(record.load) || is_pushed(record.step_load);
+    bool fixed = false, on_ground = false;
     data.for_each_joint(body, [&](uint32_t slot, uint32_t side) {
         const JointRecord& joint = data.joints[slot];
         if (!joint.moves()) return;
         // A motor, a spring or a limit holds the angle, too; other joints hold more or less.
         fixed = fixed || joint.type != JointType::revolute || joint.torque != 0.0f;
         const Vec2 anchor = joint.anchors[side] - Position();
-        const Vec2 arm =
+        const Vec2 held =
             state.position + rotate({state.cosine, state.sine}, anchor) - record.center;
         for (const Vec2 direction : {Vec2(1.0f, 0.0f), Vec2(0.0f, 1.0f)})
-            holds.push_back({.arm = arm, .direction = direction, .both_ways = true});
+            holds.push_back({.arm = held, .direction = direction, .both_ways = true});
     });
-    if (fixed) return 1.0f;
+    if (fixed) return at_most(most_on_others);
+    const bool jointed = !holds.empty();
     data.for_each_contact(body, [&](uint32_t contact) {
-        if (data.contacts[contact].acts()) add_contact(data.contacts[contact], body, holds);
+        if (!data.contacts[contact].acts()) return;
+        add_contact(data.contacts[contact], body, holds);
+        on_ground |= data.bodies[data.other_body(contact, body)].mobility != Mobility::dynamic;
     });
-    Response response{record.inverse_mass, record.inverse_inertia, {}};
-    const Vec2 arm = point - record.center;
-    response.push(arm, down);
+    const float most = at_most(on_ground && !jointed ? most_on_ground : most_on_others);
     hold(response, holds);
-    return 1.0f / (1.0f + mass * max(0.0f, response.speed(arm, down)));
+    return min(most, 1.0f / (1.0f + mass * max(0.0f, response.speed(arm, down))));
 }
 
 }  // namespace fettle::physics::detail

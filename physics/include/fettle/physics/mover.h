@@ -20,7 +20,7 @@ struct MoverDef {
     float step_height = 0.3f;   ///< m: it climbs steps up to this height, to 1 mm
     float snap = 0.25f;         ///< m: it follows ground that is lower by at most this after a move
     float skin = 0.01f;         ///< m, 0.001 … 0.1: distance that it keeps from obstacles
-    float mass = 80.0f;         ///< kg: its weight on dynamic bodies; 0: it has none
+    float mass = 80.0f;         ///< kg: its weight on dynamic bodies, on light ones less; 0: none
     float push_force = 600.0f;  ///< N: at most this pushes a dynamic body
     uint64_t category = 1;      ///< categories of the mover: as `ShapeDef::category`
     uint64_t mask = ~uint64_t{0};  ///< categories of the shapes that are obstacles

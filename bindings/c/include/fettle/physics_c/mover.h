@@ -25,7 +25,7 @@ typedef struct fettle_mover_def {
     float step_height; /* 0.3 m, 0 to 1000; it climbs steps up to this height */
     float snap;        /* 0.25 m, 0 to 1000; it stays on ground that falls away by this in a move */
     float skin;        /* 0.01 m, 0.001 to 0.1; distance that it keeps from everything */
-    float mass;        /* 80 kg, at least 0; its weight on dynamic bodies */
+    float mass;        /* 80 kg, at least 0; its weight on dynamic bodies, on light ones less */
     float push_force;  /* 600 N, at least 0; at most this pushes a dynamic body */
 } fettle_mover_def;
 
