@@ -40,15 +40,17 @@ struct PulleyConstraint {
     /// One side of the rope: from a wheel to a body.
     struct Side {
         Vec2 start;  ///< from the wheel to the center of mass at the start of the step
+        Vec2 arm;    ///< from the center of mass to the anchor
         Vec2 direction;
         float lever = 0.0f, length = 0.0f;
 
         void follow(Vec2 anchor_lever, const SolverBody& body) {
-            const Vec2 rope = start + body.shift + anchor_lever;
+            arm = anchor_lever;
+            const Vec2 rope = start + body.shift + arm;
             length = detail::length(rope);
             // If the anchor is at its wheel, the direction is the old one, or there is no pull.
-            if (length > 1e-6f) direction = (1.0f / length) * rope;
-            lever = cross(anchor_lever, direction);
+            if (length > 1e-3f) direction = (1.0f / length) * rope;
+            lever = cross(arm, direction);
         }
         float inverse_without_turn(Vec2 inverse_mass) const {
             return dot(direction, scaled(inverse_mass, direction));
@@ -59,6 +61,26 @@ struct PulleyConstraint {
         void pull(Vec2 inverse_mass, SolverBody& body, float p) const {
             body.velocity = body.velocity - p * scaled(inverse_mass, direction);
             body.angular_velocity -= body.inverse_inertia * lever * p;
+        }
+        /// Friction of an anchor that is drawn to its wheel, which would circle it for ever.
+        /// `radius`: of the wheel, m.
+        void rub(Vec2 inverse_mass, SolverBody& body, float most, float radius) const {
+            if (length > radius) return;
+            const Vec2 across = right_perp(direction);
+            const float turn = cross(arm, across);
+            const float yielding =
+                dot(across, scaled(inverse_mass, across)) + body.inverse_inertia * turn * turn;
+            const float speed = dot(across, body.velocity) + turn * body.angular_velocity;
+            const float p = clamp(-speed * inverse_or_zero(yielding), -most, most);
+            body.velocity = body.velocity + p * scaled(inverse_mass, across);
+            body.angular_velocity += body.inverse_inertia * turn * p;
+        }
+        /// Stops an anchor at its wheel, which it would pass within `h` seconds. Behind the wheel,
+        /// the rope would pull it back, and so on.
+        void stop_at_wheel(Vec2 inverse_mass, SolverBody& body, float h) const {
+            const float too_fast = -lengthening(body) - length / h;
+            if (too_fast > 0.0f)
+                pull(inverse_mass, body, -too_fast * inverse_or_zero(inverse(inverse_mass, body)));
         }
         float lengthening(const SolverBody& body) const {
             return dot(direction, body.velocity) + lever * body.angular_velocity;
@@ -99,6 +121,11 @@ struct PulleyConstraint {
         pull(a, b,
              push_limit<biased>(impulses.tension, mass, velocity, room(), step,
                                 step.greatest_length_gap, ends.greatest_pull));
+        side_a.stop_at_wheel(ends.inverse_a, a, step.h);
+        side_b.stop_at_wheel(ends.inverse_b, b, step.h);
+        const float wheel = 0.04f * (side_a.length + ratio * side_b.length);
+        side_a.rub(ends.inverse_a, a, impulses.tension, wheel);
+        side_b.rub(ends.inverse_b, b, ratio * impulses.tension, wheel);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         follow(a, b);
@@ -128,12 +155,19 @@ struct PulleyConstraint {
         const float both = side_a.inverse_without_turn(ends.inverse_a) +
                            ratio * ratio * side_b.inverse_without_turn(ends.inverse_b);
         const float pull = step.wide_share * excess * inverse_or_zero(both);
-        a.shift = a.shift - pull * scaled(ends.inverse_a, side_a.direction);
-        b.shift = b.shift - ratio * pull * scaled(ends.inverse_b, side_b.direction);
+        const float way_a = min(pull * side_a.inverse_without_turn(ends.inverse_a), side_a.length);
+        const float way_b =
+            min(ratio * pull * side_b.inverse_without_turn(ends.inverse_b), side_b.length);
+        a.shift = a.shift - way_a * side_a.direction;
+        b.shift = b.shift - way_b * side_b.direction;
         follow(a, b);
     }
+    /// m; negative: too long by that. An anchor gets no nearer to its wheel than to be there.
     float room() const {
-        return max(length - side_a.length - ratio * side_b.length, -ends.greatest_error);
+        const bool a_moves = ends.inverse_a.x > 0.0f, b_moves = ends.inverse_b.x > 0.0f;
+        const float way =
+            (a_moves ? side_a.length : 0.0f) + (b_moves ? ratio * side_b.length : 0.0f);
+        return max(length - side_a.length - ratio * side_b.length, -min(way, ends.greatest_error));
     }
     void pull(SolverBody& a, SolverBody& b, float tension) const {
         side_a.pull(ends.inverse_a, a, tension);
