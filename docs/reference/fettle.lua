@@ -1284,9 +1284,9 @@ Chain = {}
 ---@field on_ceiling boolean True if a ceiling stopped it. · true or false · read-only, simulated
 ---@field on_ground boolean True if it stands on the ground. · true or false · read-only, simulated
 ---@field on_wall boolean True if a wall stopped it. · true or false · read-only, simulated
----@field push_force number Greatest force with which it pushes bodies. · N · 0 to 1e9 · default 600
+---@field push_force number Greatest force with which it pushes bodies; the body on which it stands gets the opposite. · N · 0 to 1e9 · default 600
 ---@field radius number Radius of its capsule: half its width. · m · 0.01 to 500 · default 0.4
----@field snap number It stays on ground that falls away by at most this in a step of time. · m · 0 to 1000 · default 0.25
+---@field snap number While it walks, it stays on ground that falls away by at most this in a step. · m · 0 to 1000 · default 0.25
 ---@field step_height number Height of the steps that it climbs. · m · 0 to 1000 · default 0.3
 ---@field visible boolean True if its capsule is drawn; set it to false if a sprite is drawn in its place. · true or false · default true
 ---@field walk number Target speed along the ground, to its right; negative to its left. In the air it is relative to the ground that it left. · m/s · any finite number · default 0

@@ -54,6 +54,7 @@ namespace {
 
 constexpr float most_motion = 500.0f;  ///< m in one step
 constexpr int most_parts = 2000;
+constexpr float least_walk = 0.01f;  ///< m/s: a slower mover falls when its ground goes away
 
 /// The box around the capsule anywhere between two positions.
 Box4 box_between(const Capsule& capsule, const Position& a, const Position& b, float margin) {
@@ -67,9 +68,29 @@ Vec2 belt_velocity(const WorldData& data, uint32_t shape, Vec2 normal) {
     return {-speed * normal.y, speed * normal.x};
 }
 
+/// How much an impulse of 1 N s along a unit vector changes the speed of a point of a body.
+float yielding(const BodyRecord& body, Vec2 arm, Vec2 direction) {
+    const float lever = cross(arm, direction);
+    return body.inverse_mass + lever * lever * body.inverse_inertia;
+}
+
+/// A dynamic body on which a mover stands, and where.
+struct Footing {
+    uint32_t body = none;
+    Position point;
+};
+
+Footing footing_on(const Obstacles& obstacles, const std::optional<Plane>& ground) {
+    if (!ground || !obstacles[ground->obstacle].dynamic) return {};
+    return {obstacles[ground->obstacle].body, ground->point};
+}
+
 /// Pushes a dynamic body: the impulse of a collision with the mass of the mover, limited by its
-/// `push_force`.
-void push_body(World& world, const MoverDef& def, const Push& push, Vec2 velocity, float dt) {
+/// `push_force`. The mover holds on to its ground, which gets the opposite impulse: without it, a
+/// mover that pushes what hangs on its ground, or lies on it, would drive both ever faster.
+void push_body(World& world, const MoverDef& def, const Push& push, const Footing& footing,
+               Vec2 velocity, float dt) {
+    if (push.body == footing.body) return;
     WorldData& data = MoverWorld::of(world);
     const BodyRecord& record = data.bodies[push.body];
     const BodyState& state = data.states[push.body];
@@ -77,25 +98,46 @@ void push_body(World& world, const MoverDef& def, const Push& push, Vec2 velocit
     const Vec2 moves = state.velocity + cross(state.angular_velocity, arm);
     const float approach = -dot(push.normal, velocity - moves);
     if (!(approach > 0.0f)) return;
-    const float lever = cross(arm, push.normal);
-    const float yielding =
-        1.0f / max(def.mass, 1e-3f) + record.inverse_mass + lever * lever * record.inverse_inertia;
-    const float impulse = min(approach / yielding, def.push_force * dt);
-    Body body = world.body(data.body_id(push.body));
-    body.apply_impulse(-impulse * push.normal, push.point);
+    float yields = 1.0f / max(def.mass, 1e-3f) + yielding(record, arm, push.normal);
+    if (footing.body != none) {
+        const BodyRecord& ground = data.bodies[footing.body];
+        yields += yielding(ground, footing.point - ground.center, push.normal);
+    }
+    const Vec2 impulse = -min(approach / yields, def.push_force * dt) * push.normal;
+    const auto push_at = [&](uint32_t body, Vec2 by, const Position& point) {
+        Body pushed = world.body(data.body_id(body));
+        pushed.apply_impulse(by, point);
+    };
+    push_at(push.body, impulse, push.point);
+    if (footing.body != none) push_at(footing.body, -impulse, footing.point);
 }
 
 /// The motion in a step of the ground on which a mover stands.
 struct Ride {
     uint32_t carrier = none;  ///< body of the ground
     Vec2 motion;
+    Vec2 belt;  ///< its part by a conveyor belt
 };
 
 Ride ride_on(const WorldData& data, const MoverState& state, float dt) {
     const uint32_t carrier = data.forms[state.ground.index].body;
     if (carrier == none) return {};
     const Vec2 belt = belt_velocity(data, state.ground.index, state.ground_normal);
-    return {carrier, motion_of(data, carrier, state.position, dt) + bounded(dt * belt, 1e3f)};
+    const Vec2 along = bounded(dt * belt, 1e3f);
+    return {carrier, motion_of(data, carrier, state.position, dt) + along, along};
+}
+
+/// What the ride lacks on ground that turns: the round foot of an upright mover touches a slope
+/// beside its lowest point. So when the slope changes, the feet stay at their place along the
+/// ground only if the foot keeps its distance from it.
+Vec2 keeps_distance(const WorldData& data, const Obstacles& obstacles, const Capsule& capsule,
+                    const Position& feet, uint32_t carrier, float least_cosine, float dt) {
+    const auto ground = obstacles.floor_of(carrier, feet, capsule.radius, least_cosine);
+    if (!ground) return {};
+    const Position foot = feet + capsule.lower();
+    const Vec2 turned = motion_of(data, carrier, foot, dt) - motion_of(data, carrier, feet, dt);
+    const Vec2 normal = rotate(rotation_of(turn_of(data.states[carrier], dt)), ground->normal);
+    return dot(turned, normal) * normal;
 }
 
 /// The motion in a step of a mover that walks with the velocity `aside`, along the slope of the
@@ -106,13 +148,14 @@ Vec2 motion_along_ground(Vec2 aside, Vec2 normal, float dt) {
 }
 
 /// Moves in parts that are at most half of the radius long, and finds what it pushes.
-void advance(Moving& moving, Obstacles& obstacles, const Capsule& capsule, Vec2 motion) {
+void advance(Moving& moving, Obstacles& obstacles, const Capsule& capsule, Vec2 motion,
+             Vec2 ridden) {
     const float longest = max(length(motion), obstacles.farthest_shift());
     const int parts =
         int(clamp(std::ceil(longest / (0.5f * capsule.radius)), 1.0f, float(most_parts)));
     for (int i = 1; i <= parts; ++i) {
         obstacles.set_time(float(i) / float(parts));
-        moving.advance((1.0f / float(parts)) * motion);
+        moving.advance((1.0f / float(parts)) * motion, (1.0f / float(parts)) * ridden);
     }
     moving.find_pushed((1.0f / float(parts)) * motion);
 }
@@ -215,7 +258,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     const bool walks = stood && !lifts;
 
     data.read_all();
-    const Ride ride = stood && world.is_valid(state_.ground) ? ride_on(data, state_, dt) : Ride{};
+    Ride ride = stood && world.is_valid(state_.ground) ? ride_on(data, state_, dt) : Ride{};
     if (walks) wanted = wanted - dot(wanted, up) * up;
     Vec2 motion = walks ? motion_along_ground(wanted, state_.ground_normal, dt) : dt * wanted;
     motion = bounded(motion, 1e6f) + ride.motion;
@@ -226,13 +269,23 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     const std::optional<ShapeId> dropped = dropped_in(world, state_);
     obstacles.find(box_between(capsule, start, start + motion, margin), start, ride.carrier, dt,
                    dropped);
+    const float least_cosine = rotation_of(def_.max_slope).c - 1e-3f;
+    if (walks) {
+        const Vec2 kept =
+            keeps_distance(data, obstacles, capsule, start, ride.carrier, least_cosine, dt);
+        ride.motion = ride.motion + kept;
+        motion = motion + kept;
+        obstacles.take_along(ride.carrier, ride.motion - ride.belt, start);
+    }
     const MoveSettings settings{.skin = def_.skin,
-                                .least_cosine = rotation_of(def_.max_slope).c - 1e-3f,
+                                .least_cosine = least_cosine,
                                 .step_height = walks ? def_.step_height : 0.0f,
                                 .walks = walks};
     Moving moving(obstacles, capsule, settings, start);
-    advance(moving, obstacles, capsule, motion);
-    if (walks && !moving.step && !moving.ground()) moving.snap_to_ground(def_.snap);
+    advance(moving, obstacles, capsule, motion, walks ? ride.motion - ride.belt : Vec2{});
+    if (walks && !moving.step && !moving.follow(ride.carrier, def_.snap) && !moving.ground() &&
+        length(dt * wanted + ride.belt) > dt * least_walk)
+        moving.snap_to_ground(def_.snap);
     state_.position = moving.position;
 
     moved.motion = moving.position - start;
@@ -259,7 +312,8 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     if (dropped && !overlaps_dropped(world)) state_.dropped = {};
 
     const Vec2 absolute = bounded(velocity, 1e6f) + carried;
-    for (const Push& push : moving.pushes) push_body(world, def_, push, absolute, dt);
+    const Footing footing = footing_on(obstacles, ground);
+    for (const Push& push : moving.pushes) push_body(world, def_, push, footing, absolute, dt);
     if (ground) press_on_ground(world, data, def_, obstacles[ground->obstacle], ground->point);
     return moved;
 }

@@ -26,7 +26,7 @@ std::vector<Bound> Moving::bounds(Vec2 motion, bool with_distance) const {
         float least = 0.0f;
         if (with_distance && plane.separation > skin) least = skin - plane.separation;
         if (with_distance && plane.separation < 0.5f * skin)
-            least = min(0.5f * skin - plane.separation, most);
+            least = min(0.5f * skin - plane.separation, min(most, obstacles_.most_push_out(plane)));
         if (!with_distance) {
             // Dynamic bodies give way to a mover; others take it along.
             least = dot(plane.normal, obstacles_.velocity_at(plane));
@@ -44,6 +44,14 @@ std::vector<Bound> Moving::bounds(Vec2 motion, bool with_distance) const {
     return all;
 }
 
+/// A mover that overlaps a dynamic body between others waits until they give way.
+float Moving::evasion() const {
+    const auto gives_way = [this](const Plane& plane) {
+        return obstacles_[plane.obstacle].dynamic && plane.separation < 0.0f;
+    };
+    return std::any_of(planes_.begin(), planes_.end(), gives_way) ? least_evasion : most_evasion;
+}
+
 void Moving::record_hits(Vec2 motion, float slack) {
     for (const Plane& plane : planes_) {
         const float into = -dot(plane.normal, motion);
@@ -53,6 +61,7 @@ void Moving::record_hits(Vec2 motion, float slack) {
             ceiling = plane;
         else if (up < settings_.least_cosine)
             wall = plane;
+        if (up < settings_.least_cosine) blocked_ = plane.normal;
         const Obstacle& obstacle = obstacles_[plane.obstacle];
         if (!obstacle.dynamic || up >= settings_.least_cosine) continue;
         const auto same = [&](const Push& push) { return push.body == obstacle.body; };
@@ -70,7 +79,7 @@ void Moving::slide(Vec2 motion) {
     for (int round = 0; round < most_slides; ++round) {
         obstacles_.planes_at(position, reach, kept, planes_);
         record_hits(motion, 0.0f);
-        const Vec2 allowed = allowed_motion(motion, bounds(motion, true));
+        const Vec2 allowed = allowed_motion(motion, bounds(motion, true), evasion());
         const float t = obstacles_.cast(position, allowed, 0.25f * settings_.skin, kept);
         position = position + t * allowed;
         if (t >= 1.0f) return;
@@ -86,16 +95,24 @@ void Moving::find_pushed(Vec2 motion) {
     record_hits(motion, 0.0f);
 }
 
-void Moving::advance(Vec2 motion) {
+void Moving::advance(Vec2 motion, Vec2 ridden) {
     const Position start = position;
     const std::optional<Plane> wall_before = wall;
-    slide(motion);
+    blocked_ = {};
+    // First with the ground, as far as nothing is in the way. Before that, it overlaps ground that
+    // rises, and the seams between its tiles seem to be corners.
+    uint32_t hit = none;
+    const float t = obstacles_.cast(position, ridden, 0.25f * settings_.skin, hit, false);
+    position = position + t * ridden;
+    slide(motion - t * ridden);
     if (settings_.step_height <= 0.0f) return;
     const Vec2 aside = lateral(motion);
     const float wanted = length(aside);
     if (wanted < 1e-5f) return;
     const float made = dot(position - start, (1.0f / wanted) * aside);
-    if (made < 0.9f * wanted)
+    // Ground that moves makes the way shorter, too, but there is no step.
+    const bool blocked = dot(blocked_, aside) < 0.0f;
+    if (made < 0.9f * wanted && blocked)
         step_up(start, aside);
     else if (wall && !wall_before && will_step_up(aside))
         wall.reset();  // It has just reached a step, which the next part of the motion climbs.
@@ -124,6 +141,10 @@ bool Moving::step_up(const Position& start, Vec2 motion) {
         return t;
     };
     put_back(start);
+    if (!has_room()) {  // What is inside of an obstacle would climb out of it.
+        put_back(slid);
+        return false;
+    }
     const auto below = ground();
     const Position floor = start - (below ? below->separation : 0.0f) * up;
     // Above the step it keeps the gap, too.
@@ -180,13 +201,35 @@ std::optional<Plane> Moving::ground() {
     return std::nullopt;
 }
 
-bool Moving::snap_to_ground(float reach) {
+bool Moving::follow(uint32_t carrier, float reach) {
+    if (carrier == none || obstacles_.data().bodies[carrier].mobility == Mobility::fixed)
+        return false;
+    const std::optional<Plane> below =
+        obstacles_.floor_of(carrier, position, reach, settings_.least_cosine);
+    if (!below) return false;
+    if (below->separation <= settings_.skin) return true;
     const Position start = position;
+    const Vec2 motion = -(below->separation - settings_.skin) * below->normal;
+    uint32_t hit = none;
+    position = position + obstacles_.cast(position, motion, 0.25f * settings_.skin, hit) * motion;
+    if (ground()) return true;
+    put_back(start);
+    return false;
+}
+
+bool Moving::snap_to_ground(float reach) {
+    if (!has_room()) return false;
+    const Position start = position;
+    const auto gives_way = [this](const Plane& plane) {
+        return obstacles_[plane.obstacle].dynamic && cosine(plane) > 0.01f;
+    };
     Vec2 motion = -reach * capsule_.up;
     uint32_t kept = none;
     for (int round = 0; round < most_slides && length(motion) > 1e-5f; ++round) {
-        // It may slide off the edge that it is leaving, but not down the ground below it.
+        // It may slide off the edge that it is leaving, but not down the ground below it, and not
+        // down a ball or a crate that rolls or tips away: from these it falls.
         obstacles_.planes_at(position, settings_.skin, kept, planes_);
+        if (std::any_of(planes_.begin(), planes_.end(), gives_way)) break;
         const Vec2 allowed = allowed_motion(motion, bounds(motion, true));
         const float t = obstacles_.cast(position, allowed, 0.25f * settings_.skin, kept);
         position = position + t * allowed;

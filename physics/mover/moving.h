@@ -30,11 +30,16 @@ class Moving {
            const Position& start)
         : position(start), obstacles_(obstacles), capsule_(capsule), settings_(settings) {}
 
-    /// A part of the motion, at most half of the radius long.
-    void advance(Vec2 motion);
+    /// A part of the motion, at most half of the radius long. `ridden`: what of it is the motion of
+    /// the ground, which is already where it will be.
+    void advance(Vec2 motion, Vec2 ridden);
     /// Finds the dynamic bodies within the skin towards which `motion` leads. The mover pushes them
     /// also in a step in which they were as fast as the mover, so no gap opens between them.
     void find_pushed(Vec2 motion);
+    /// Moves it back onto its ground, a body that has moved away from it by at most `reach`. It
+    /// goes the shortest way, so on a slope it goes neither up nor down. False and not moved if
+    /// there is no ground of this body.
+    bool follow(uint32_t carrier, float reach);
     /// Moves it down by at most `reach` onto ground; false and not moved if there is none.
     bool snap_to_ground(float reach);
     /// The plane of the ground below its feet; none in the air.
@@ -59,6 +64,7 @@ class Moving {
     bool will_step_up(Vec2 motion);
     void record_hits(Vec2 motion, float overlap_allowed);
     std::vector<Bound> bounds(Vec2 motion, bool with_distance) const;
+    float evasion() const;
     bool walkable(const Plane& plane, const Position& floor, Vec2 motion);
     float cosine(const Plane& plane) const { return dot(plane.normal, capsule_.up); }
     bool is_steep(const Plane& plane) const {
@@ -70,6 +76,7 @@ class Moving {
     const Capsule& capsule_;
     MoveSettings settings_;
     std::vector<Plane> planes_;
+    Vec2 blocked_;  ///< normal of the last obstacle that is no ground and stopped it; zero: none
 };
 
 }  // namespace fettle::physics::detail

@@ -19,6 +19,10 @@ namespace {
 /// direction to the mover and the front is at least this.
 constexpr float least_front = 0.05f;
 
+/// A body that is not fixed pushes a mover that it overlaps out with this speed, m/s, besides its
+/// own. The whole overlap in one step would throw a mover that is crushed or lies below a crate.
+constexpr float push_out_speed = 3.0f;
+
 /// A body moves by at most this in a step, m.
 constexpr float farthest = 1000.0f;
 
@@ -48,11 +52,14 @@ float Capsule::lowest(Vec2 direction) const {
     return min(dot(direction, ends_[0]), dot(direction, ends_[1])) - radius;
 }
 
+float turn_of(const BodyState& state, float dt) {
+    return clamp(dt * state.angular_velocity, -1.5f, 1.5f);
+}
+
 Vec2 motion_of(const WorldData& data, uint32_t body, const Position& point, float dt) {
     const BodyState& state = data.states[body];
-    const float turn = clamp(dt * state.angular_velocity, -1.5f, 1.5f);
     const Vec2 arm = point - data.bodies[body].center;
-    const Vec2 turned = rotate(rotation_of(turn), arm);
+    const Vec2 turned = rotate(rotation_of(turn_of(state, dt)), arm);
     return bounded(dt * state.velocity, farthest) + (turned - arm);
 }
 
@@ -66,7 +73,7 @@ Obstacles::Obstacles(const World& world, const MoverDef& def, const Capsule& cap
 void Obstacles::find(Box4 box, const Position& position, uint32_t carrier, float dt,
                      std::optional<ShapeId> left_out) {
     all_.clear();
-    time_ = 0.0f;
+    time_ = part_ = 0.0f;
     dt_ = dt;
     data_.read_all();
     float fastest = 0.0f;
@@ -115,7 +122,9 @@ void Obstacles::add(uint32_t shape, const Position& position, uint32_t carrier, 
     if (body.mobility != Mobility::fixed) {
         const Vec2 offset = made.center - position;
         const Nearest near = nearest_points(capsule_.solid(0.0f), made.solid, offset);
-        made.shift = motion_of(data_, made.body, position + near.on_b, dt);
+        // The ground takes the mover along: what is at rest on it stays at its distance from it.
+        const Vec2 at = made.body == carrier ? near.on_a : near.on_b;
+        made.shift = made.motion = motion_of(data_, made.body, position + at, dt);
         made.leads = made.dynamic && made.body != carrier;
         // A body that is pushed leads the mover, which stays in touch with it. One that comes
         // towards the mover is at rest, because the mover may stop it.
@@ -130,8 +139,19 @@ void Obstacles::add(uint32_t shape, const Position& position, uint32_t carrier, 
     }
 }
 
+void Obstacles::take_along(uint32_t body, Vec2 motion, const Position& position) {
+    for (uint32_t i = 0; i < all_.size(); ++i) {
+        if (all_[i].border || all_[i].body != body) continue;
+        const std::optional<Plane> found = plane(i, position);
+        if (!found || dot(found->normal, capsule_.up) <= 0.01f) continue;
+        all_[i].shift = motion;
+        all_[i].taken_along = true;
+    }
+}
+
 void Obstacles::set_time(float time) {
     for (Obstacle& each : all_) each.clearance -= std::fabs(time - time_) * length(each.shift);
+    part_ = std::fabs(time - time_);
     time_ = time;
 }
 
@@ -221,6 +241,25 @@ std::optional<Plane> Obstacles::plane(uint32_t index, const Position& position) 
     return plane;
 }
 
+std::optional<Plane> Obstacles::floor_of(uint32_t body, const Position& position, float reach,
+                                         float least_cosine) const {
+    std::optional<Plane> nearest;
+    for (uint32_t i = 0; i < all_.size(); ++i) {
+        if (all_[i].border || all_[i].body != body || all_[i].clearance > reach) continue;
+        const std::optional<Plane> found = plane(i, position);
+        if (!found || dot(found->normal, capsule_.up) < least_cosine) continue;
+        if (found->separation > (nearest ? nearest->separation : reach)) continue;
+        nearest = found;
+    }
+    return nearest;
+}
+
+float Obstacles::most_push_out(const Plane& plane) const {
+    const Obstacle& obstacle = all_[plane.obstacle];
+    if (obstacle.border || data_.bodies[obstacle.body].mobility == Mobility::fixed) return 1e30f;
+    return part_ * (max(0.0f, dot(obstacle.motion, plane.normal)) + dt_ * push_out_speed);
+}
+
 Vec2 Obstacles::velocity_at(const Plane& plane) const {
     const Obstacle& obstacle = all_[plane.obstacle];
     if (!obstacle.dynamic) return dt_ > 0.0f ? (1.0f / dt_) * obstacle.shift : Vec2{};
@@ -260,14 +299,15 @@ void Obstacles::planes_at(const Position& position, float reach, uint32_t kept,
     if (planes.size() > most) planes.resize(most);
 }
 
-float Obstacles::cast(const Position& position, Vec2 motion, float gap, uint32_t& hit) {
+float Obstacles::cast(const Position& position, Vec2 motion, float gap, uint32_t& hit,
+                      bool with_ground) {
     hit = none;
     float first = 1.0f;
     const float way = length(motion);
     if (!(way > 0.0f)) return first;
     for (uint32_t i = 0; i < all_.size(); ++i) {
         Obstacle& obstacle = all_[i];
-        if (obstacle.clearance > way + gap) continue;
+        if (obstacle.clearance > way + gap || (obstacle.taken_along && !with_ground)) continue;
         const auto now = plane(i, position);
         if (!now) continue;
         if (now->separation > 0.0f) obstacle.clearance = now->separation;

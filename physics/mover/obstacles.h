@@ -44,12 +44,14 @@ struct Obstacle {
     Solid solid;
     Position center;  ///< center of mass of its body
     Vec2 shift;       ///< its motion in the step
+    Vec2 motion;      ///< the same, also of a dynamic body that comes towards the mover
     uint32_t shape = none, body = none;
     bool border = false;  ///< a side of the bounds: `front` is its normal, `depth` its place
     bool one_sided = false;
     bool dynamic = false;
-    bool leads = false;  ///< dynamic, and not the ground: it moves only away from the mover
-    Vec2 front;          ///< unit vector out of the solid side of a one-sided obstacle
+    bool taken_along = false;  ///< it moves as the feet on it do
+    bool leads = false;        ///< dynamic, and not the ground: it moves only away from the mover
+    Vec2 front;                ///< unit vector out of the solid side of a one-sided obstacle
     WorldCoordinate depth = 0;
     float clearance = 0.0f;  ///< m: the mover is at least this far away
 };
@@ -71,6 +73,9 @@ class Obstacles {
     /// Finds the obstacles that overlap a box. Kinematic bodies and `carrier` move in `dt` seconds.
     void find(Box4 box, const Position& position, uint32_t carrier, float dt,
               std::optional<ShapeId> left_out);
+    /// What is below the feet on a body moves as they do. What moves alike keeps its distance, also
+    /// where the body turns, which its obstacles do not do within a step.
+    void take_along(uint32_t body, Vec2 motion, const Position& position);
     void set_time(float time);
     /// Must be called when the mover was moved by this distance (m), but not by a `cast`.
     void reduce_clearance(float distance);
@@ -80,11 +85,18 @@ class Obstacles {
     void planes_at(const Position& position, float reach, uint32_t kept,
                    std::vector<Plane>& planes);
     /// The share of a motion after which an obstacle is nearer than `gap`; `hit`: this obstacle.
-    float cast(const Position& position, Vec2 motion, float gap, uint32_t& hit);
+    /// `with_ground`: false leaves out what moves as the feet do.
+    float cast(const Position& position, Vec2 motion, float gap, uint32_t& hit,
+               bool with_ground = true);
     /// The normal of the first surface that a ray meets.
     std::optional<Vec2> ray(const Position& from, Vec2 motion) const;
     /// The plane of one obstacle. None if it does not act on a mover at this position.
     std::optional<Plane> plane(uint32_t obstacle, const Position& position) const;
+    /// The nearest plane of a body within `reach` whose slope has at least this cosine.
+    std::optional<Plane> floor_of(uint32_t body, const Position& position, float reach,
+                                  float least_cosine) const;
+    /// How far an obstacle that overlaps the mover pushes it out in this part of the step, m.
+    float most_push_out(const Plane& plane) const;
     /// The velocity of an obstacle at a plane, m/s.
     Vec2 velocity_at(const Plane& plane) const;
     const Obstacle& operator[](uint32_t index) const { return all_[index]; }
@@ -103,9 +115,12 @@ class Obstacles {
     QueryFilter filter_;
     std::vector<Obstacle> all_;
     float time_ = 0.0f;
-    float dt_ = 0.0f;  ///< s: the length of the step; 0: nothing moves
+    float part_ = 0.0f;  ///< the share of the step between the last two times
+    float dt_ = 0.0f;    ///< s: the length of the step; 0: nothing moves
 };
 
+/// The angle by which a body turns in the step, rad.
+float turn_of(const BodyState& state, float dt);
 /// The motion of a point of a body in the step.
 Vec2 motion_of(const WorldData& data, uint32_t body, const Position& point, float dt);
 

@@ -13,11 +13,6 @@ namespace {
 
 constexpr float tolerance = 1e-5f;
 
-/// No motion differs from the wanted one by more than this, as a multiple of the greatest error of
-/// the wanted one. Between two obstacles that press from nearly opposite sides, the nearest motion
-/// that both allow may lead out of the end of their wedge, hundreds of meters away.
-constexpr float most_evasion = 10.0f;
-
 bool allows(std::span<const Bound> bounds, Vec2 motion) {
     for (const Bound& bound : bounds)
         if (dot(bound.normal, motion) < bound.least - tolerance) return false;
@@ -47,12 +42,12 @@ Vec2 between(std::span<const Bound> bounds) {
 
 }  // namespace
 
-Vec2 allowed_motion(Vec2 wanted, std::span<const Bound> bounds) {
+Vec2 allowed_motion(Vec2 wanted, std::span<const Bound> bounds, float evasion) {
     if (allows(bounds, wanted)) return wanted;
     float error = 0.0f;
     for (const Bound& bound : bounds) error = max(error, bound.least - dot(bound.normal, wanted));
     std::optional<Vec2> best;
-    float least = most_evasion * most_evasion * error * error;
+    float least = evasion * evasion * error * error;
     const auto consider = [&](Vec2 motion) {
         const float far = length_squared(motion - wanted);
         if (far >= least || !allows(bounds, motion)) return;
@@ -65,7 +60,7 @@ Vec2 allowed_motion(Vec2 wanted, std::span<const Bound> bounds) {
         for (size_t k = i + 1; k < bounds.size(); ++k)
             if (const auto both = corner(a, bounds[k])) consider(*both);
     }
-    return best ? *best : between(bounds);
+    return best ? *best : bounded(between(bounds), evasion * error);
 }
 
 }  // namespace detail

@@ -18,10 +18,10 @@ struct MoverDef {
     Vec2 up = {0.0f, 1.0f};     ///< direction from its feet to its head; of any length but 0
     float max_slope = 0.87f;    ///< rad, 0 … 1.5: steeper ground is a wall
     float step_height = 0.3f;   ///< m: it climbs steps up to this height, to 1 mm
-    float snap = 0.25f;         ///< m: it follows ground that is lower by at most this after a move
+    float snap = 0.25f;         ///< m: when it walks, it follows ground that is lower by at most this
     float skin = 0.01f;         ///< m, 0.001 … 0.1: distance that it keeps from obstacles
     float mass = 80.0f;         ///< kg: its weight on dynamic bodies, on light ones less; 0: none
-    float push_force = 600.0f;  ///< N: at most this pushes a dynamic body
+    float push_force = 600.0f;  ///< N: at most this pushes a dynamic body, and its ground back
     uint64_t category = 1;      ///< categories of the mover: as `ShapeDef::category`
     uint64_t mask = ~uint64_t{0};  ///< categories of the shapes that are obstacles
     int32_t group = 0;             ///< as `ShapeDef::group`
@@ -92,7 +92,7 @@ class Mover {
     explicit Mover(const MoverDef& def, const Position& position = {0.0f, 0.0f});
 
     const MoverDef& definition() const { return def_; }  ///< its settings
-    /// The position stays. A mover that grows may overlap obstacles, which the next move corrects;
+    /// The position stays. A mover that grows may overlap obstacles, which the next moves correct;
     /// `fits` returns whether it has room.
     void set_definition(const MoverDef& def);
     const MoverState& state() const { return state_; }  ///< what it keeps from one move to the next
