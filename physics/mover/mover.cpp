@@ -54,6 +54,7 @@ namespace {
 
 constexpr float most_motion = 500.0f;  ///< m in one step
 constexpr int most_parts = 2000;
+constexpr float most_turn = 0.25f;   ///< rad in a step
 constexpr float least_walk = 0.01f;  ///< m/s: a slower mover falls when its ground goes away
 
 /// The box around the capsule anywhere between two positions.
@@ -134,9 +135,12 @@ Vec2 keeps_distance(const WorldData& data, const Obstacles& obstacles, const Cap
                     const Position& feet, uint32_t carrier, float least_cosine, float dt) {
     const auto ground = obstacles.floor_of(carrier, feet, capsule.radius, least_cosine);
     if (!ground) return {};
+    const float turn = turn_of(data.states[carrier], dt);
+    // On what turns faster, a ball that rolls, the slope does not turn with the body.
+    if (std::fabs(turn) > most_turn) return {};
     const Position foot = feet + capsule.lower();
     const Vec2 turned = motion_of(data, carrier, foot, dt) - motion_of(data, carrier, feet, dt);
-    const Vec2 normal = rotate(rotation_of(turn_of(data.states[carrier], dt)), ground->normal);
+    const Vec2 normal = rotate(rotation_of(turn), ground->normal);
     return dot(turned, normal) * normal;
 }
 
