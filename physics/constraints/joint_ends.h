@@ -40,7 +40,6 @@ struct JointStep {
     Softness softness(float gap) const { return softness_up_to(greatest_gap, gap); }
     Softness softness(Vec2 gap) const { return softness(max(std::abs(gap.x), std::abs(gap.y))); }
     Softness length_softness(float gap) const { return softness_up_to(greatest_length_gap, gap); }
-    Softness angle_softness(float gap) const { return softness_up_to(greatest_angle_gap, gap); }
     /// The same for a row whose gaps that are wider than `greatest` close as fast as this one.
     Softness softness_up_to(float greatest, float gap) const {
         gap = std::abs(gap);
@@ -73,6 +72,8 @@ struct JointEnds {
     float angle = 0.0f;     ///< of b relative to a at the start of the step
     Vec2 inverse_a, inverse_b;  ///< inverse masses along x and y: 0 along a locked axis
     float share = 1.0f;  ///< of its mass, with which it pushes: solver/joints/crowded_joints.h
+    /// Of the speed at which an angle is corrected: solver/joints/long_levers.h
+    float angle_share = 1.0f;
     /// A length or a translation that is wrong by more counts as wrong by this, m. See
     /// solver/joints/obstructed_joints.h.
     float greatest_error = infinity;
@@ -88,6 +89,9 @@ struct JointEnds {
     /// Anchor b minus anchor a.
     Vec2 gap(const SolverBody& body_a, const SolverBody& body_b) const {
         return apart + (body_b.shift - body_a.shift) + (lever_b - lever_a);
+    }
+    float greatest_angle_gap(const JointStep& step) const {
+        return angle_share * step.greatest_angle_gap;
     }
     float bounded_error(float error) const { return clamp(error, -greatest_error, greatest_error); }
     /// What a rigid row of 60 Hz bears for the greatest error in a sub-step, N s. Without an

@@ -2,6 +2,7 @@
 
 #include <solver/joints/geometric_stiffness.h>
 #include <solver/joints/joint_passes.h>
+#include <solver/joints/long_levers.h>
 #include <solver/joints/obstructed_joints.h>
 
 #include <cmath>
@@ -35,22 +36,31 @@ class JointFunctions {
     static constexpr bool has_one_pass = requires { &Constraint::template pass<true>; };
     static constexpr bool has_motor = requires { &Constraint::drive; };
     static constexpr bool has_length = requires { &Constraint::pull_now; };
+    static constexpr bool has_rail = requires { &Constraint::rail; };
+    static constexpr bool is_rigid = requires { &Constraint::separation; };
 
   public:
     static constexpr JointKind kind(const char* name) {
         float (*measure)(const JointRecord&, const JointPlace&) = nullptr;
-        if constexpr (requires { &Constraint::separation; }) measure = separation;
-        bool (*is_rigid)(const JointRecord&) = nullptr;
-        if constexpr (requires { &Constraint::holds; }) is_rigid = holds;
+        if constexpr (is_rigid) measure = separation;
+        bool (*is_held)(const JointRecord&) = nullptr;
+        if constexpr (requires { &Constraint::holds; }) is_held = holds;
         bool (*is_driven)(const JointRecord&) = nullptr;
         if constexpr (requires { &Settings::gives_energy; }) is_driven = gives_energy;
         Drive (*motor)(JointArray&, size_t) = nullptr;
         if constexpr (has_motor) motor = drive_of;
         Pull (*length)(const JointArray&, size_t) = nullptr;
         if constexpr (has_length) length = pull_of;
-        return {name,    sizeof(Constraint), begin,   check,      measure, is_rigid, is_driven,
-                prepare, warm_start,         solve,   relax,      load,    ends_of,  length,
-                motor,   impulses_of,        load_on, write_rows, store};
+        return {name,        sizeof(Constraint),
+                has_rail,    begin,
+                check,       measure,
+                is_held,     is_driven,
+                prepare,     warm_start,
+                solve,       relax,
+                load,        ends_of,
+                length,      motor,
+                impulses_of, load_on,
+                write_rows,  store};
     }
 
   private:
@@ -69,7 +79,7 @@ class JointFunctions {
 
     static uint8_t prepare(const JointSource& source, JointArray& array, const JointStep& step,
                            JointRange range) {
-        bool pulls_hard = false, presses = false, is_strong = false;
+        bool pulls_hard = false, presses = false, is_strong = false, reaches_far = false;
         for (size_t i = range.begin; i < range.end; ++i) {
             const JointRecord& joint = source.objects.joints[array.joints[i]];
             Constraint& c = *std::construct_at(array.as<Constraint>() + i);
@@ -82,6 +92,7 @@ class JointFunctions {
             c.prepare(joint.settings.as<Settings>(), source.frame_of(joint), step, a, b);
             pulls_hard |= GeometricStiffness::may_be_too_great(c.ends, joint.force, a, b, step.h) ||
                           may_be_obstructed(joint.force, a, b, step.h);
+            if constexpr (is_rigid) reaches_far |= has_long_lever(c.ends, has_rail, a, b);
             if constexpr (has_motor) {
                 const Drive drive = c.drive();
                 presses = presses || may_press(drive, a, b);
@@ -93,7 +104,8 @@ class JointFunctions {
                     presses || pull.is_strained || may_be_held(source.objects, joint, pull, a, b);
             }
         }
-        return uint8_t((pulls_hard ? pull : 0) | (presses ? press : 0) | (is_strong ? strong : 0));
+        return uint8_t((pulls_hard ? pull : 0) | (presses ? press : 0) | (is_strong ? strong : 0) |
+                       (reaches_far ? lever : 0));
     }
 
     /// Calls `act(constraint, a, b)`. Other threads may read a body that does not move, so such a

@@ -122,8 +122,8 @@ struct RevoluteConstraint {
         const float place = ends.angle_now(a, b) - reference;
         if (!angle.is_bounded<biased>(impulses.angle, place, velocity(), step)) return;
         const FreeTurn& turn = free_turn(a, b);
-        angle.solve_bounds<biased>(impulses.angle, turn.mass, place, step, step.greatest_angle_gap,
-                                   velocity, [&](float p) {
+        angle.solve_bounds<biased>(impulses.angle, turn.mass, place, step,
+                                   ends.greatest_angle_gap(step), velocity, [&](float p) {
                                        detail::twist(a, b, p);
                                        push_point(a, b, p * turn.reaction);
                                    });

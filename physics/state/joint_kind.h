@@ -75,14 +75,16 @@ struct Pull {
 
 /// What the force of a joint may concern. Bits.
 enum HardPush : uint8_t {
-    pull = 1,   ///< solver/joints/geometric_stiffness.h and solver/joints/obstructed_joints.h
-    press = 2,  ///< only the latter: a motor that presses, or a length that is wrong
-    strong = 4  ///< a motor with limits is so strong that its joint counts as loaded
+    pull = 1,    ///< solver/joints/geometric_stiffness.h and solver/joints/obstructed_joints.h
+    press = 2,   ///< only the latter: a motor that presses, or a length that is wrong
+    strong = 4,  ///< a motor with limits is so strong that its joint counts as loaded
+    lever = 8    ///< a body is far from the joint: solver/joints/long_levers.h
 };
 
 struct JointKind {
     const char* name;
     size_t constraint_size;
+    bool pushes_at_b;  ///< it pushes both bodies at the anchor of b
     /// Writes the default settings into a new joint.
     void (*begin)(JointRecord& joint);
     /// Throws std::invalid_argument for settings that a setter refuses.

@@ -53,8 +53,9 @@ class GeometricStiffness {
 };
 
 /// Raises the moments of inertia of the solver's bodies for the forces with which the joints ended
-/// the step before, and prepares the joints of these bodies again.
+/// the step before, and if `far` for long levers (long_levers.h). Prepares the joints of these
+/// bodies again.
 void raise_inertia(const JointSource& source, const JointStep& step, JointScratch& joints,
-                   BodyScratch& bodies);
+                   BodyScratch& bodies, bool far);
 
 }  // namespace fettle::physics::detail

@@ -345,7 +345,10 @@ JointStep prepare_joints(ObjectState& objects, const Columns& columns, const Act
     }
     hard &= uint8_t(~strong);
     bodies.strained.clear();
-    if ((hard & pull) != 0) raise_inertia(source, step, joints, bodies);
+    // `direct` solves all joints and contacts at once.
+    const bool far = (hard & lever) != 0 && solver != Solver::direct;
+    if ((hard & pull) != 0 || far) raise_inertia(source, step, joints, bodies, far);
+    hard &= uint8_t(~lever);
     if (hard != 0 || may_have_no_solution(bodies, solver))
         yield_to_obstacles(source, step, joints, solver, bodies.strained);
     return step;
