@@ -23,10 +23,10 @@ typedef struct fettle_mover_def {
     float height;      /* 1.8 m, at least twice the radius, at most 1000 */
     float max_slope;   /* 0.87 rad, 0 to 1.5; steeper ground is a wall */
     float step_height; /* 0.3 m, 0 to 1000; it climbs steps up to this height */
-    float snap;        /* 0.25 m, 0 to 1000; when it walks, it stays on ground that falls away by this */
+    float snap;        /* 0.25 m, 0 to 1000; walking, it stays on ground that falls by this */
     float skin;        /* 0.01 m, 0.001 to 0.1; distance that it keeps from everything */
     float mass;        /* 80 kg, at least 0; its weight on dynamic bodies, on light ones less */
-    float push_force;  /* 600 N, at least 0; at most this pushes a dynamic body, and its ground back */
+    float push_force;  /* 600 N, at least 0; at most this pushes a body, and its ground back */
 } fettle_mover_def;
 
 /** The state of a mover: a plain value that can be copied and saved. */
