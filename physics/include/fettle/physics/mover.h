@@ -18,7 +18,7 @@ struct MoverDef {
     Vec2 up = {0.0f, 1.0f};     ///< direction from its feet to its head; of any length but 0
     float max_slope = 0.87f;    ///< rad, 0 … 1.5: steeper ground is a wall
     float step_height = 0.3f;   ///< m: it climbs steps up to this height, to 1 mm
-    float snap = 0.25f;         ///< m: when it walks, it follows ground that is lower by at most this
+    float snap = 0.25f;         ///< m: walking, it follows ground that is lower by at most this
     float skin = 0.01f;         ///< m, 0.001 … 0.1: distance that it keeps from obstacles
     float mass = 80.0f;         ///< kg: its weight on dynamic bodies, on light ones less; 0: none
     float push_force = 600.0f;  ///< N: at most this pushes a dynamic body, and its ground back
