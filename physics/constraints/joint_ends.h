@@ -93,6 +93,9 @@ struct JointEnds {
     float greatest_angle_gap(const JointStep& step) const {
         return angle_share * step.greatest_angle_gap;
     }
+    Softness angle_softness(const JointStep& step, float error) const {
+        return step.softness_up_to(greatest_angle_gap(step), error);
+    }
     float bounded_error(float error) const { return clamp(error, -greatest_error, greatest_error); }
     /// What a rigid row of 60 Hz bears for the greatest error in a sub-step, N s. Without an
     /// obstacle it has no limit: only such rows pass an impact on (solver/joints/joint_response.h).

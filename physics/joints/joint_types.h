@@ -51,16 +51,26 @@ class JointFunctions {
         if constexpr (has_motor) motor = drive_of;
         Pull (*length)(const JointArray&, size_t) = nullptr;
         if constexpr (has_length) length = pull_of;
-        return {name,        sizeof(Constraint),
-                has_rail,    begin,
-                check,       measure,
-                is_held,     is_driven,
-                prepare,     warm_start,
-                solve,       relax,
-                load,        ends_of,
-                length,      motor,
-                impulses_of, load_on,
-                write_rows,  store};
+        return {.name = name,
+                .constraint_size = sizeof(Constraint),
+                .pushes_at_b = has_rail,
+                .begin = begin,
+                .check = check,
+                .separation = measure,
+                .holds = is_held,
+                .gives_energy = is_driven,
+                .prepare = prepare,
+                .warm_start = warm_start,
+                .solve = solve,
+                .relax = relax,
+                .load = load,
+                .ends = ends_of,
+                .pull = length,
+                .drive = motor,
+                .impulses = impulses_of,
+                .load_on = load_on,
+                .write_rows = write_rows,
+                .store = store};
     }
 
   private:

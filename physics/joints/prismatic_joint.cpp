@@ -91,7 +91,7 @@ struct PrismaticConstraint {
             const Softness soft = step.softness(offset);
             v1 += soft.bias_rate * offset;
             const float error = ends.angle_now(a, b) - reference;
-            const Softness angle_soft = step.softness_up_to(ends.greatest_angle_gap(step), error);
+            const Softness angle_soft = ends.angle_softness(step, error);
             v2 += angle_soft.bias_rate * error;
             scale = soft.mass_scale;
             rest = soft.impulse_scale;

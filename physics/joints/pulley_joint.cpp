@@ -56,11 +56,10 @@ struct PulleyConstraint {
             return dot(direction, scaled(inverse_mass, direction));
         }
         float inverse(Vec2 inverse_mass, const SolverBody& body) const {
-            return inverse_without_turn(inverse_mass) + body.inverse_inertia * lever * lever;
+            return inverse_along(direction, lever, inverse_mass, body);
         }
         void pull(Vec2 inverse_mass, SolverBody& body, float p) const {
-            body.velocity = body.velocity - p * scaled(inverse_mass, direction);
-            body.angular_velocity -= body.inverse_inertia * lever * p;
+            push_along(direction, lever, inverse_mass, body, -p);
         }
         /// Friction of an anchor that is drawn to its wheel, which would circle it for ever.
         /// `radius`: of the wheel, m.
@@ -68,12 +67,10 @@ struct PulleyConstraint {
             if (length > radius) return;
             const Vec2 across = right_perp(direction);
             const float turn = cross(arm, across);
-            const float yielding =
-                dot(across, scaled(inverse_mass, across)) + body.inverse_inertia * turn * turn;
             const float speed = dot(across, body.velocity) + turn * body.angular_velocity;
-            const float p = clamp(-speed * inverse_or_zero(yielding), -most, most);
-            body.velocity = body.velocity + p * scaled(inverse_mass, across);
-            body.angular_velocity += body.inverse_inertia * turn * p;
+            const float stops =
+                -speed * inverse_or_zero(inverse_along(across, turn, inverse_mass, body));
+            push_along(across, turn, inverse_mass, body, clamp(stops, -most, most));
         }
         /// Stops an anchor at its wheel, which it would pass within `h` seconds. Behind the wheel,
         /// the rope would pull it back, and so on.
@@ -90,12 +87,28 @@ struct PulleyConstraint {
             on[1] = -double(times) * double(direction.y);
             on[2] = -double(times) * double(lever);
         }
+
+      private:
+        /// For an impulse at the anchor along a unit vector, with the lever `turn`.
+        static float inverse_along(Vec2 along, float turn, Vec2 inverse_mass,
+                                   const SolverBody& body) {
+            return dot(along, scaled(inverse_mass, along)) + body.inverse_inertia * turn * turn;
+        }
+        static void push_along(Vec2 along, float turn, Vec2 inverse_mass, SolverBody& body,
+                               float p) {
+            body.velocity = body.velocity + p * scaled(inverse_mass, along);
+            body.angular_velocity += body.inverse_inertia * turn * p;
+        }
     };
+
+    /// The radius of the wheels, as a part of the rope.
+    static constexpr float wheel_radius = 0.04f;
 
     JointEnds ends;
     PulleyImpulses impulses;
     Side side_a, side_b;
     float ratio = 1.0f, length = 0.0f, mass = 0.0f;
+    float way = 0.0f;  ///< m: by so much the rope gets shorter until what moves is at its wheels
     bool too_long = false;  ///< at the start of the step
 
     static float separation(const Settings& settings, const JointPlace& place) {
@@ -123,7 +136,7 @@ struct PulleyConstraint {
                                 step.greatest_length_gap, ends.greatest_pull));
         side_a.stop_at_wheel(ends.inverse_a, a, step.h);
         side_b.stop_at_wheel(ends.inverse_b, b, step.h);
-        const float wheel = 0.04f * (side_a.length + ratio * side_b.length);
+        const float wheel = wheel_radius * (side_a.length + ratio * side_b.length);
         side_a.rub(ends.inverse_a, a, impulses.tension, wheel);
         side_b.rub(ends.inverse_b, b, ratio * impulses.tension, wheel);
     }
@@ -145,28 +158,26 @@ struct PulleyConstraint {
         ends.follow(a, b);
         side_a.follow(ends.lever_a, a);
         side_b.follow(ends.lever_b, b);
-        mass = inverse_or_zero(side_a.inverse(ends.inverse_a, a) +
-                               ratio * ratio * side_b.inverse(ends.inverse_b, b));
+        const float of_a = side_a.inverse(ends.inverse_a, a);
+        const float of_b = side_b.inverse(ends.inverse_b, b);
+        mass = inverse_or_zero(of_a + ratio * ratio * of_b);
+        way = (of_a > 0.0f ? side_a.length : 0.0f) + (of_b > 0.0f ? ratio * side_b.length : 0.0f);
     }
     /// As `JointEnds::close_wide_gap`: moves the bodies towards their wheels.
     void close_wide_gap(SolverBody& a, SolverBody& b, const JointStep& step) {
         const float excess = -room() - step.wide_gap;
         if (excess <= 0.0f) return;
-        const float both = side_a.inverse_without_turn(ends.inverse_a) +
-                           ratio * ratio * side_b.inverse_without_turn(ends.inverse_b);
-        const float pull = step.wide_share * excess * inverse_or_zero(both);
-        const float way_a = min(pull * side_a.inverse_without_turn(ends.inverse_a), side_a.length);
-        const float way_b =
-            min(ratio * pull * side_b.inverse_without_turn(ends.inverse_b), side_b.length);
-        a.shift = a.shift - way_a * side_a.direction;
-        b.shift = b.shift - way_b * side_b.direction;
+        const float of_a = side_a.inverse_without_turn(ends.inverse_a);
+        const float of_b = side_b.inverse_without_turn(ends.inverse_b);
+        const float pull = step.wide_share * excess * inverse_or_zero(of_a + ratio * ratio * of_b);
+        const float pull_a = min(pull, side_a.length * inverse_or_zero(of_a));
+        const float pull_b = min(ratio * pull, side_b.length * inverse_or_zero(of_b));
+        a.shift = a.shift - pull_a * scaled(ends.inverse_a, side_a.direction);
+        b.shift = b.shift - pull_b * scaled(ends.inverse_b, side_b.direction);
         follow(a, b);
     }
     /// m; negative: too long by that. An anchor gets no nearer to its wheel than to be there.
     float room() const {
-        const bool a_moves = ends.inverse_a.x > 0.0f, b_moves = ends.inverse_b.x > 0.0f;
-        const float way =
-            (a_moves ? side_a.length : 0.0f) + (b_moves ? ratio * side_b.length : 0.0f);
         return max(length - side_a.length - ratio * side_b.length, -min(way, ends.greatest_error));
     }
     void pull(SolverBody& a, SolverBody& b, float tension) const {

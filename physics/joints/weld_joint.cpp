@@ -110,7 +110,7 @@ struct WeldConstraint {
             const Softness soft = step.softness(gap);
             v = v + soft.bias_rate * gap;
             const float error = ends.angle_now(a, b) - reference;
-            const Softness angle_soft = step.softness_up_to(ends.greatest_angle_gap(step), error);
+            const Softness angle_soft = ends.angle_softness(step, error);
             w += angle_soft.bias_rate * error;
             scale = soft.mass_scale;
             rest = soft.impulse_scale;

@@ -34,6 +34,14 @@ inline Body add_box(World& world, const Vec2& position, float size = 1.0f,
     return box;
 }
 
+/// A box of a given mass, kg.
+inline Body add_box(World& world, const Vec2& position, float width, float height, float mass) {
+    Body box = world.create_body({.position = position});
+    box.add(Box{.width = width, .height = height});
+    box.set_mass(mass);
+    return box;
+}
+
 inline Body add_ball(World& world, const Vec2& position, float radius = 0.5f,
                      const ShapeDef& surface = {}) {
     Body ball = world.create_body({.position = position});

@@ -6,19 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <random>
 #include <string>
 
+#include "random.h"
 #include "thorough.h"
 
 namespace families {
 
-struct Random {
-    std::mt19937 engine;
-    float operator()(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
+using scenes::Random;
 
 /// The unit vector in that direction.
 inline fettle::physics::Vec2 turned(float angle) {

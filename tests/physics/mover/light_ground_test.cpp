@@ -1,8 +1,7 @@
 #include <fettle/physics/mover.h>
 
-#include <random>
-
 #include "catch.h"
+#include "random.h"
 #include "scenes.h"
 
 // A mover of 80 kg walks over what weighs a hundredth of it and gives way.
@@ -15,32 +14,18 @@ namespace {
 
 enum class Ground { crate, bridge, hanging_platform, cart, raft, balls };
 
-struct Random {
-    std::mt19937 engine;
-    float number(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
-
-Body box(World& world, const Vec2& position, float width, float height, float mass) {
-    Body body = world.create_body({.position = position});
-    body.add(Box{.width = width, .height = height});
-    body.set_mass(mass);
-    return body;
-}
-
 float build_crate(World& world, Random& random) {
     add_floor(world, 100.0f);
-    const float size = random.number(0.3f, 1.2f);
-    box(world, {0, 0.5f * size}, size, size, random.number(0.3f, 3) * size * size);
+    const float size = random(0.3f, 1.2f);
+    add_box(world, {0, 0.5f * size}, size, size, random(0.3f, 3) * size * size);
     return size;
 }
 
 float build_bridge(World& world, Random& random) {
-    const float mass = random.number(0.2f, 4);
+    const float mass = random(0.2f, 4);
     BodyId before;
     for (int i = 0; i < 10; ++i) {
-        const Body plank = box(world, {-4.5f + float(i), 3}, 1, 0.2f, mass);
+        const Body plank = add_box(world, {-4.5f + float(i), 3}, 1, 0.2f, mass);
         const Vec2 anchor = i == 0 ? Vec2{-5, 3} : Vec2{0.5f, 0};
         world.create_revolute_joint(
             {.body_a = before, .body_b = plank.id(), .anchor_a = anchor, .anchor_b = {-0.5f, 0}});
@@ -51,7 +36,7 @@ float build_bridge(World& world, Random& random) {
 }
 
 float build_hanging_platform(World& world, Random& random) {
-    const Body platform = box(world, {0, 2}, 3, 0.2f, random.number(0.4f, 6));
+    const Body platform = add_box(world, {0, 2}, 3, 0.2f, random(0.4f, 6));
     for (const float x : {-1.4f, 1.4f})
         world.create_distance_joint({.body_b = platform.id(),
                                      .anchor_a = {x, 6},
@@ -63,8 +48,8 @@ float build_hanging_platform(World& world, Random& random) {
 
 float build_cart(World& world, Random& random) {
     add_floor(world, 100.0f);
-    const float mass = random.number(0.5f, 5);
-    const Body deck = box(world, {0, 0.8f}, 2, 0.3f, mass);
+    const float mass = random(0.5f, 5);
+    const Body deck = add_box(world, {0, 0.8f}, 2, 0.3f, mass);
     for (const float x : {-0.7f, 0.7f}) {
         Body wheel = world.create_body({.position = {x, 0.4f}});
         wheel.add(Circle{.radius = 0.35f});
@@ -77,7 +62,7 @@ float build_cart(World& world, Random& random) {
 
 float build_raft(World& world, Random& random) {
     world.create_field({BuoyancyField{.level = 3}});
-    box(world, {0, 3}, 3, 0.4f, 1.2f * random.number(0.2f, 0.7f));
+    add_box(world, {0, 3}, 3, 0.4f, 1.2f * random(0.2f, 0.7f));
     return 3.2f;
 }
 
@@ -85,7 +70,7 @@ float build_balls(World& world, Random& random) {
     Body floor = add_floor(world, 100.0f);
     for (const float x : {-1.4f, 1.3f})
         floor.add(Box{.width = 0.2f, .height = 1, .center = {x, 0.5f}});
-    const float density = random.number(0.5f, 3);
+    const float density = random(0.5f, 3);
     for (int i = 0; i < 12; ++i) {
         Body ball = world.create_body(
             {.position = {-1 + 0.45f * float(i % 5), 0.2f + 0.42f * float(i / 5)}});
@@ -122,8 +107,8 @@ TEST_CASE("a mover throws nothing that is much lighter than itself") {
         Random random{std::mt19937(seed)};
         World world;
         const float top = build(world, ground, random);
-        const float rate = seed % 3 == 0 ? 30.0f : seed % 3 == 1 ? 60.0f : 144.0f;
-        const float walk = random.number(-3, 3), x = random.number(-0.6f, 0.6f);
+        const float rate = rate_of(seed);
+        const float walk = random(-3, 3), x = random(-0.6f, 0.6f);
         Mover mover({}, {x, top + 0.3f});
         Vec2 velocity = {};
         for (float time = 0; time < 3; time += 1 / rate) {

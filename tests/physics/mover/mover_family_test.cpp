@@ -4,6 +4,7 @@
 #include <random>
 
 #include "catch.h"
+#include "random.h"
 #include "scenes.h"
 
 // Movers in random worlds: wherever they go and however fast, they are never inside of anything.
@@ -199,10 +200,7 @@ TEST_CASE("a body that falls freely falls as fast below a mover as alone") {
 
 TEST_CASE("a mover does not throw the light bodies on whose edge it stands") {
     for (unsigned seed = 1; seed <= 40; ++seed) {
-        std::mt19937 engine(seed);
-        const auto random = [&engine](float low, float high) {
-            return low + (high - low) * float(engine()) / 4294967296.0f;
-        };
+        Random random{std::mt19937(seed)};
         World world;
         add_floor(world, 100.0f);
         const float density = random(0.3f, 5), walk = random(1, 6);
@@ -261,10 +259,7 @@ TEST_CASE("a mover that pushes a crate stays in touch with it") {
 
 TEST_CASE("a mover that two leaning walls squeeze is not thrown to the end of their wedge") {
     for (unsigned seed = 1; seed <= 50; ++seed) {
-        std::mt19937 engine(seed);
-        const auto random = [&engine](float low, float high) {
-            return low + (high - low) * float(engine()) / 4294967296.0f;
-        };
+        Random random{std::mt19937(seed)};
         World world;
         const float lean = random(0.002f, 0.05f), squeezed = random(0.01f, 0.06f);
         for (const float side : {-1.0f, 1.0f}) {

@@ -1,9 +1,9 @@
 #include <fettle/physics/mover.h>
 
 #include <cmath>
-#include <random>
 
 #include "catch.h"
+#include "random.h"
 #include "scenes.h"
 
 // A mover is moved by its walk, its ground and what pushes it: never by a jump to another place.
@@ -14,24 +14,6 @@ using namespace scenes;
 
 namespace {
 
-struct Random {
-    std::mt19937 engine;
-    float number(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
-
-float rate_of(unsigned seed) {
-    return seed % 3 == 0 ? 30.0f : seed % 3 == 1 ? 60.0f : 144.0f;
-}
-
-Body box(World& world, const Vec2& position, float width, float height, float mass) {
-    Body body = world.create_body({.position = position});
-    body.add(Box{.width = width, .height = height});
-    body.set_mass(mass);
-    return body;
-}
-
 float fastest(const World& world) {
     float most = 0.0f;
     for (const Body& body : world.bodies()) most = std::max(most, body.velocity().length());
@@ -40,10 +22,10 @@ float fastest(const World& world) {
 
 /// A ladder of rungs on ropes.
 void add_ladder(World& world, Random& random) {
-    const float mass = random.number(0.3f, 2);
+    const float mass = random(0.3f, 2);
     Body above;
     for (int i = 0; i < 8; ++i) {
-        const Body rung = box(world, {0, 6 - 0.6f * float(i)}, 1.4f, 0.1f, mass);
+        const Body rung = add_box(world, {0, 6 - 0.6f * float(i)}, 1.4f, 0.1f, mass);
         for (const float x : {-0.6f, 0.6f})
             world.create_distance_joint({.body_a = i == 0 ? BodyId{} : above.id(),
                                          .body_b = rung.id(),
@@ -66,16 +48,18 @@ TEST_CASE("a mover that bodies overlap is pushed out of them slowly") {
         Body press;
         if (seed % 3 == 0) {  // a lift that comes down onto the mover
             press = world.create_body({.type = BodyType::kinematic_body, .position = {0, 3}});
-            press.add(Box{.width = random.number(1, 4), .height = 0.3f});
-            box(world, {random.number(0.5f, 1), 0.3f}, 0.6f, 0.6f, random.number(0.3f, 20));
+            press.add(Box{.width = random(1, 4), .height = 0.3f});
+            const float x = random(0.5f, 1), mass = random(0.3f, 20);
+            add_box(world, {x, 0.3f}, 0.6f, 0.6f, mass);
         } else if (seed % 3 == 1) {  // crates that fall onto it
-            for (int i = 0; i < 4; ++i)
-                box(world, {random.number(-0.5f, 0.5f), 3 + 1.2f * float(i)}, 1, 1,
-                    random.number(1, 100));
+            for (int i = 0; i < 4; ++i) {
+                const float x = random(-0.5f, 0.5f), mass = random(1, 100);
+                add_box(world, {x, 3 + 1.2f * float(i)}, 1, 1, mass);
+            }
         } else {  // a ladder in which it appears
             add_ladder(world, random);
         }
-        Mover mover({}, {random.number(-0.8f, 0.8f), seed % 3 == 2 ? random.number(1, 3) : 0.01f});
+        Mover mover({}, {random(-0.8f, 0.8f), seed % 3 == 2 ? random(1, 3) : 0.01f});
         Vec2 velocity = {};
         for (int i = 0; i < int(4 / dt); ++i) {
             if (press) press.set_velocity({0, float(i) * dt < 2 ? -1.5f : 1.5f});
@@ -114,10 +98,10 @@ TEST_CASE(
 TEST_CASE("a mover does not drive the rope ladder on which it stands by pushing its rungs") {
     for (unsigned seed = 1; seed <= 50; ++seed) {
         Random random{std::mt19937(seed)};
-        const float dt = 1 / rate_of(seed), walk = random.number(1, 3);
+        const float dt = 1 / rate_of(seed), walk = random(1, 3);
         World world;
         add_ladder(world, random);
-        Mover mover({}, {random.number(-0.5f, 0.5f), 2.0f});
+        Mover mover({}, {random(-0.5f, 0.5f), 2.0f});
         Vec2 velocity = {};
         for (int i = 0; i < int(4 / dt); ++i) {
             velocity.x = i < int(2 / dt) ? walk : -walk;
@@ -134,10 +118,10 @@ TEST_CASE("what a mover pushes and its ground keep their momentum") {
     const float heavy = GENERATE(5.0f, 20.0f, 100.0f), rate = GENERATE(30.0f, 60.0f, 144.0f);
     World world;
     add_floor(world, 100.0f, {.friction = 0.0f});
-    Body board = box(world, {0, 0.1f}, 20, 0.2f, 50);
+    Body board = add_box(world, {0, 0.1f}, 20, 0.2f, 50);
     for (Shape& shape : board.shapes()) shape.set_friction(0.3f);
     world.step(1 / rate);
-    Body crate = box(world, {1.5f, 0.7f}, 1, 1, heavy);
+    Body crate = add_box(world, {1.5f, 0.7f}, 1, 1, heavy);
     Mover mover({}, {0, 0.21f});
     Vec2 velocity = {};
     float pushed = 0.0f;

@@ -1,9 +1,9 @@
 #include <fettle/physics/mover.h>
 
 #include <cmath>
-#include <random>
 
 #include "catch.h"
+#include "random.h"
 #include "scenes.h"
 
 // A mover that stands still on ground that moves stays at its place on it.
@@ -13,13 +13,6 @@ namespace mover_standing_test {
 using namespace scenes;
 
 namespace {
-
-struct Random {
-    std::mt19937 engine;
-    float number(float low, float high) {
-        return low + (high - low) * float(engine()) / 4294967296.0f;
-    }
-};
 
 /// Where a mover was on its ground, along it.
 struct Stand {
@@ -58,19 +51,19 @@ TEST_CASE("a mover that stands on a kinematic platform stays at its place, howev
     for (unsigned seed = 1; seed <= 50; ++seed) {
         Random random{std::mt19937(seed)};
         World world;
-        Body deck = world.create_body(
-            {.type = BodyType::kinematic_body, .angle = random.number(-0.2f, 0.2f)});
+        Body deck =
+            world.create_body({.type = BodyType::kinematic_body, .angle = random(-0.2f, 0.2f)});
         add_deck(deck, int(seed % 3));
-        const float swing = random.number(0, 0.6f), pace = random.number(0.5f, 3);
-        const float circle = random.number(0, 3), shake = seed % 4 == 0 ? 1.0f : 0.0f;
-        const float place = random.number(-1.5f, 1.5f), dt = 1 / rate;
+        const float swing = random(0, 0.6f), pace = random(0.5f, 3);
+        const float circle = random(0, 3), shake = seed % 4 == 0 ? 1.0f : 0.0f;
+        const float place = random(-1.5f, 1.5f), dt = 1 / rate;
         Stand stand{Mover({}, deck.world_point({place, 0.22f}))};
         for (int i = 0; i < int(8 * rate); ++i) {
             const float t = float(i) * dt, settled = i < int(rate) ? 0.0f : 1.0f;
             // So that the platform turns by `swing` to both sides, to within what it was tilted.
             deck.set_angular_velocity(settled * swing * pace * std::cos(pace * (t - 1)));
             deck.set_velocity(settled * (circle * Vec2{std::cos(2 * t), std::sin(2 * t)} +
-                                         shake * Vec2{random.number(-1, 1), random.number(-1, 1)}));
+                                         shake * Vec2{random(-1, 1), random(-1, 1)}));
             stand.step(world, deck, dt, i >= int(rate));
         }
         INFO("seed " << seed << ", " << rate << " Hz");
@@ -87,7 +80,7 @@ TEST_CASE("a mover that stands on a dynamic platform lags by no more than its mo
         World world;
         Body deck = world.create_body({.position = {0, 0}});
         add_deck(deck, 0);
-        deck.set_mass(random.number(300, 1000));
+        deck.set_mass(random(300, 1000));
         RevoluteJoint pin;
         float fastest = 0.0f;
         if (seed % 2 == 0) {  // a swing
@@ -97,14 +90,14 @@ TEST_CASE("a mover that stands on a dynamic platform lags by no more than its mo
                                              .anchor_b = {x, 0},
                                              .max_length = 5,
                                              .hertz = 0});
-            fastest = random.number(0.3f, 2);
+            fastest = random(0.3f, 2);
             deck.set_velocity({fastest, 0});
         } else {  // a seesaw with a motor
             pin = world.create_revolute_joint({.body_b = deck.id(), .max_motor_torque = 1e6f});
         }
-        const float swing = random.number(0.1f, 0.6f), pace = random.number(0.5f, 2);
+        const float swing = random(0.1f, 0.6f), pace = random(0.5f, 2);
         const float dt = 1 / rate;
-        Stand stand{Mover({}, {random.number(-1.5f, 1.5f), 0.22f})};
+        Stand stand{Mover({}, {random(-1.5f, 1.5f), 0.22f})};
         for (int i = 0; i < int(8 * rate); ++i) {
             if (pin) pin.set_motor_speed(swing * pace * std::cos(pace * float(i) * dt));
             stand.step(world, deck, dt, i >= int(rate));

@@ -13,14 +13,14 @@ namespace {
 
 struct Winch {
     explicit Winch(unsigned seed) : random{std::mt19937(seed)} {
-        const float rates[] = {30, 60, 144};
-        rate = rates[seed % 3];
+        rate = rate_of(seed);
         const float x = 6 + random(-0.5f, 0.5f), y = random(3, 5.5f);
         held = world.create_body({.type = BodyType::static_body, .position = {0, 3}});
         held.add(Box{.width = 0.8f, .height = 0.8f});
         free = world.create_body({.position = {x, y}});
         free.add(Box{.width = 0.8f, .height = 0.8f});
-        for (Body& body : {std::ref(held), std::ref(free)}) body.set_mass(mass);
+        held.set_mass(mass);
+        free.set_mass(mass);
         pulley = world.create_pulley_joint({.body_a = held.id(),
                                             .body_b = free.id(),
                                             .ground_a = {0, 8},
@@ -73,6 +73,36 @@ TEST_CASE("the end of a pulley that comes free is drawn up and not thrown") {
         winch.run(4);
         INFO("seed " << seed << ", ratio " << winch.ratio << ", reel " << winch.reel);
         CHECK(winch.fastest < 18.0f);
+    }
+}
+
+TEST_CASE("a pulley draws lifts that move along one axis only, and along that one alone") {
+    for (unsigned seed = 1; seed <= seeds_or(48); ++seed) {
+        Random random{std::mt19937(seed)};
+        const float rate = rate_of(seed);
+        World world;
+        Body lifts[2];
+        float beside[2];  // m, to the side of its wheel
+        for (const int i : {0, 1}) {
+            beside[i] = random(-0.5f, 0.5f);
+            lifts[i] = world.create_body({.position = {6 * float(i) + beside[i], random(1, 3)},
+                                          .locked_x = true,
+                                          .locked_rotation = true});
+            lifts[i].add(Box{.width = 0.8f, .height = 0.8f});
+            lifts[i].set_mass(random(0.5f, 5));
+        }
+        PulleyJoint pulley = world.create_pulley_joint({.body_a = lifts[0].id(),
+                                                        .body_b = lifts[1].id(),
+                                                        .ground_a = {0, 8},
+                                                        .ground_b = {6, 8},
+                                                        .ratio = random(0.7f, 1.5f)});
+        world.step(1 / rate);
+        pulley.set_length(pulley.length() - random(0.5f, 4));
+        for (float time = 0; time < 2; time += 1 / rate) world.step(1 / rate);
+        INFO("seed " << seed << ", " << rate << " Hz");
+        CHECK(pulley.length_now() < pulley.length() + 0.02f);
+        for (const int i : {0, 1})
+            CHECK(float(lifts[i].position().x) == Approx(6 * float(i) + beside[i]).margin(1e-5));
     }
 }
 
