@@ -1,7 +1,10 @@
 #pragma once
 
 #include <constraints/joint_ends.h>
-#include <state/world_state.h>
+#include <state/joint_kind.h>
+
+#include <span>
+#include <vector>
 
 // Bodies that are far from their joint.
 //
@@ -24,26 +27,10 @@ constexpr float greatest_lever_ratio = 100.0f;
 /// An angle is corrected more slowly if something is farther from the body than this, m.
 constexpr float near_reach = 1.0f;
 
-/// The moment of inertia, kg m², that a body needs whose joint pushes it at `arm` from its center.
-inline float least_inertia(Vec2 arm, const SolverBody& a, const SolverBody& b) {
-    return length_squared(arm) *
-           inverse_or_zero(greatest_lever_ratio * (a.inverse_mass + b.inverse_mass));
-}
-
 /// From the center of body a at the start of the step to the place where a joint pushes it.
 /// `at_b`: that is the anchor of b, as for a joint on a rail.
 inline Vec2 start_arm(const JointEnds& ends, bool at_b) {
     return at_b ? ends.apart + ends.start_b : ends.start_a;
-}
-
-/// The body of a joint that holds it at something that does not move, if it has no other joint;
-/// else `none`.
-inline uint32_t alone_at_fixed(const ObjectState& objects, const JointRecord& joint,
-                               const SolverBody& a, const SolverBody& b) {
-    if (moves(a) && moves(b)) return none;
-    const uint32_t body = joint.bodies[moves(a) ? 0 : 1];
-    const uint32_t edge = objects.bodies[body].lists.first_joint;
-    return edge != none && objects.joints[edge >> 1].edges[edge & 1].next == none ? body : none;
 }
 
 /// True if a joint holds one of its bodies at a long lever.
@@ -53,5 +40,15 @@ inline bool has_long_lever(const JointEnds& ends, bool at_b, const SolverBody& a
     const float of_b = b.inverse_inertia * length_squared(ends.start_b);
     return max(of_a, of_b) > greatest_lever_ratio * (a.inverse_mass + b.inverse_mass);
 }
+
+/// What the long levers of its joints ask of a body.
+struct LeverNeeds {
+    float inertia = 0.0f;  ///< at least, kg m²
+    float reach = 0.0f;    ///< the longest lever, m
+};
+
+/// The needs of the solver's bodies.
+std::vector<LeverNeeds> needs_of_levers(const JointSource& source, JointScratch& joints,
+                                        std::span<const SolverBody> bodies);
 
 }  // namespace fettle::physics::detail
