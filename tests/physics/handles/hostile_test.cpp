@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "scenes.h"
+#include "thorough.h"
 
 namespace hostile_test {
 
@@ -193,7 +194,7 @@ TEST_CASE("the world stays consistent while bodies and shapes are destroyed in r
     auto pick = [&](auto& list) { return list[size_t(random()) % list.size()]; };
     World world({.bounds = Aabb{{-8, 0}, {8, 30}}});
     add_floor(world, 5.0f);
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < (thorough() ? 1500 : 500); ++i) {
         auto bodies = world.bodies();
         auto shapes = world.shapes();
         const float x = float(random() % 1000) / 100.0f - 5.0f,
