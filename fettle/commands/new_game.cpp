@@ -144,6 +144,13 @@ int new_game(const NewGameOptions& options) {
         throw FileError(options.folder.string() +
                         ": there is something already, so nothing was made");
     const std::string name = folder.filename().string();
+    if (std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) < 0x20; })) {
+        print_error(
+            "name: expected a folder without line breaks and other control characters in "
+            "its name, got \"" +
+            on_one_line(name) + '"');
+        return bad_usage;
+    }
     fs::create_directories(folder.parent_path());
     // Made under another name, so that an error leaves no incomplete game. An existing folder is
     // filled and not replaced, because the user's shell may be in it.

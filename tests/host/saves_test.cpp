@@ -223,6 +223,7 @@ TEST_CASE("the store of a hosted game outlives it") {
     keep_problems(game, &messages);
     REQUIRE(messages.size() == 1);
     CHECK_THAT(messages[0], contains("the store of the game is empty"));
+    CHECK_THAT(messages[0], contains("this file gets another name"));
     CHECK(best(game).type == FETTLE_VALUE_NIL);
     const Game without = make();
     CHECK(fettle_hosted_run(without.get(), "store.best = 1", "test") == FETTLE_FAILED);

@@ -57,6 +57,14 @@ TEST_CASE("a number that is changed in a game of a template changes the game tha
     CHECK(end.out == "7.5\n");
 }
 
+TEST_CASE("a name with a line break is refused and nothing is made") {
+    const Folder folder;
+    const Outcome made = fettle(folder, {"new", "a\nb"});
+    CHECK(made.status == 2);
+    CHECK(contains(made.err, "without line breaks"));
+    CHECK_FALSE(std::filesystem::exists(folder / "a\nb"));
+}
+
 TEST_CASE("names in other letters get different ids") {
     const Folder folder;
     std::set<std::string> ids;

@@ -80,6 +80,7 @@ TEST_CASE("an unknown setting is an error with line and nearest name") {
           "game.json:2:3: nmae: there is no such setting (did you mean \"name\"?)");
     CHECK(problem(R"({"window": {"titel": "x"}})") ==
           "game.json:1:13: window.titel: there is no such setting (did you mean \"title\"?)");
+    CHECK(problem(R"({"": 1})") == "game.json:1:2: an empty key: there is no such setting");
 }
 
 TEST_CASE("a setting of another type is an error with its place") {

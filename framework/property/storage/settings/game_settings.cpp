@@ -36,7 +36,8 @@ class SettingsReader {
             path_ = above.empty() ? key : above + "." + key;
             if (!take(*node, key))
                 document_.fail(ErrorKind::unknown_name, node->key_begin,
-                               path_ + ": there is no such setting" + suggestion(key, keys));
+                               (key.empty() ? "an empty key" : path_) +
+                                   ": there is no such setting" + suggestion(key, keys));
         }
         path_ = above;
     }

@@ -103,10 +103,11 @@ Store::Store(fs::path file, Options options)
         if (!initial_.empty()) *whole.content = store_content(initial_);
     } catch (const Error& problem) {
         initial_.clear();
-        const bool names_file = dynamic_cast<const FileError*>(&problem) != nullptr;
-        if (options_.warn)
-            options_.warn(options_.name + " is empty: " +
-                          (names_file ? "" : file_.string() + ": ") + problem.what());
+        std::string text = problem.what();
+        if (dynamic_cast<const FileError*>(&problem) == nullptr)
+            text = file_.string() + ": " + text +
+                   "; when the game writes its store, this file gets another name";
+        if (options_.warn) options_.warn(options_.name + " is empty: " + text);
     }
     tables_[root] = {.content = whole.content, .key = {}, .top = {}};
     for (auto& [key, entry] : whole.content->entries) {
