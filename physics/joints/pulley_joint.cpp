@@ -31,6 +31,11 @@ struct PulleySettings {
 
 struct PulleyImpulses {
     float tension = 0.0f;
+    /// At a wheel, under the solver `direct` only: what stops the anchor, and friction.
+    struct AtWheel {
+        float stop = 0.0f, friction = 0.0f;
+    };
+    AtWheel at_a, at_b;
     void scale(float s) { tension *= s; }
 };
 
@@ -86,6 +91,12 @@ struct PulleyConstraint {
             on[0] = -double(times) * double(direction.x);
             on[1] = -double(times) * double(direction.y);
             on[2] = -double(times) * double(lever);
+        }
+        void write_across(double (&on)[3]) const {
+            const Vec2 across = right_perp(direction);
+            on[0] = double(across.x);
+            on[1] = double(across.y);
+            on[2] = double(cross(arm, across));
         }
 
       private:
@@ -147,6 +158,19 @@ struct PulleyConstraint {
         side_b.write(ratio, rope.on_b);
         rows.limit(rope, room(), impulses.tension).high =
             double(ends.greatest_impulse(mass, float(rows.h())));
+        const float wheel = wheel_radius * (side_a.length + ratio * side_b.length);
+        const auto write_wheel = [&](const Side& side, const SolverBody& body, float times,
+                                     bool is_a, PulleyImpulses::AtWheel& at) {
+            if (side.length + side.lengthening(body) * float(rows.h()) > wheel)
+                return void(at = {});
+            Jacobian along = {ends.a, ends.b, {}, {}}, across = along;
+            side.write(-1.0f, is_a ? along.on_a : along.on_b);
+            side.write_across(is_a ? across.on_a : across.on_b);
+            rows.limit(along, side.length, at.stop);
+            rows.motor(across, 0.0f, times * impulses.tension, at.friction);
+        };
+        write_wheel(side_a, a, 1.0f, true, impulses.at_a);
+        write_wheel(side_b, b, ratio, false, impulses.at_b);
     }
     Pull pull_now() const {
         return {too_long, true, false, {-side_a.direction, -side_b.direction}};
