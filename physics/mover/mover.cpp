@@ -2,6 +2,7 @@
 
 #include <checks/arguments.h>
 #include <geometry/trigonometry.h>
+#include <mover/momentum.h>
 #include <mover/moving.h>
 #include <mover/support.h>
 #include <world/world_data.h>
@@ -38,12 +39,14 @@ void Mover::set_position(const Position& position) {
     state_.position = check_coordinates("position", position);
     state_.on_ground = false;
     state_.ground_normal = {};
+    state_.ground_velocity = {};
     state_.ground = {};
 }
 
 void Mover::set_state(const MoverState& state) {
     check_coordinates("position", state.position);
     check_finite("ground_normal", state.ground_normal);
+    check_finite("ground_velocity", state.ground_velocity);
     state_ = state;
     // A normal of length 1 keeps its bits, so that a copy moves as the original does.
     const Vec2 normal = bounded(state.ground_normal, 1e6f);
@@ -63,54 +66,40 @@ Box4 box_between(const Capsule& capsule, const Position& a, const Position& b, f
     return grow(box_of(a.min(b), a.max(b)), reach);
 }
 
-/// Speed of the surface of a conveyor belt, along its surface.
-Vec2 belt_velocity(const WorldData& data, uint32_t shape, Vec2 normal) {
-    const float speed = data.shapes[data.named_shape(shape)].surface.surface_speed;
-    return {-speed * normal.y, speed * normal.x};
-}
-
-/// How much an impulse of 1 N s along a unit vector changes the speed of a point of a body.
-float yielding(const BodyRecord& body, Vec2 arm, Vec2 direction) {
-    const float lever = cross(arm, direction);
-    return body.inverse_mass + lever * lever * body.inverse_inertia;
-}
-
-/// A dynamic body on which a mover stands, and where.
-struct Footing {
-    uint32_t body = none;
-    Position point;
-};
-
 Footing footing_on(const Obstacles& obstacles, const std::optional<Plane>& ground) {
     if (!ground || !obstacles[ground->obstacle].dynamic) return {};
     return {obstacles[ground->obstacle].body, ground->point};
 }
 
-/// Pushes a dynamic body: the impulse of a collision with the mass of the mover, limited by its
-/// `push_force`. The mover holds on to its ground, which gets the opposite impulse: without it, a
-/// mover that pushes what hangs on its ground, or lies on it, would drive both ever faster.
-void push_body(World& world, const MoverDef& def, const Push& push, const Footing& footing,
-               Vec2 velocity, float dt) {
-    if (push.body == footing.body) return;
-    WorldData& data = MoverWorld::of(world);
-    const BodyRecord& record = data.bodies[push.body];
+/// Tells the world how the body of a mover moved.
+void report_body(WorldData& data, BodyId body, uint32_t ground, Vec2 velocity) {
+    std::vector<MoverBody>& all = data.mover_bodies;
+    std::erase_if(all, [body](const MoverBody& each) { return each.body == body; });
+    if (!data.is_valid(body)) return;
+    all.push_back({body, ground != none ? data.body_id(ground) : BodyId{}, velocity});
+}
+
+/// True for a body that hits the mover, whose body stops it.
+bool is_hit(const WorldData& data, const Push& push, float skin) {
+    constexpr float fast = 0.5f;  // m/s
+    if (push.separation < -0.5f * skin) return true;
     const BodyState& state = data.states[push.body];
-    const Vec2 arm = push.point - record.center;
-    const Vec2 moves = state.velocity + cross(state.angular_velocity, arm);
-    const float approach = -dot(push.normal, velocity - moves);
-    if (!(approach > 0.0f)) return;
-    float yields = 1.0f / max(def.mass, 1e-3f) + yielding(record, arm, push.normal);
-    if (footing.body != none) {
-        const BodyRecord& ground = data.bodies[footing.body];
-        yields += yielding(ground, footing.point - ground.center, push.normal);
-    }
-    const Vec2 impulse = -min(approach / yields, def.push_force * dt) * push.normal;
-    const auto push_at = [&](uint32_t body, Vec2 by, const Position& point) {
-        Body pushed = world.body(data.body_id(body));
-        pushed.apply_impulse(by, point);
-    };
-    push_at(push.body, impulse, push.point);
-    if (footing.body != none) push_at(footing.body, -impulse, footing.point);
+    const Vec2 arm = push.point - data.bodies[push.body].center;
+    return dot(state.velocity + cross(state.angular_velocity, arm), push.normal) > fast;
+}
+
+/// Tells the world with which dynamic bodies the body of a mover has no contact in the next step:
+/// its ground, what it pushes, and the ledges that it may be passing.
+void report_pairs(WorldData& data, BodyId body, const Footing& footing, const Moving& moving,
+                  const Obstacles& obstacles, float skin) {
+    std::vector<MoverPair>& all = data.mover_pairs;
+    std::erase_if(all, [body](const MoverPair& each) { return each.mover == body; });
+    if (!data.is_valid(body)) return;
+    const auto add = [&](uint32_t other) { all.push_back({body, data.body_id(other)}); };
+    if (footing.body != none) add(footing.body);
+    for (const Push& push : moving.pushes)
+        if (!is_hit(data, push, skin)) add(push.body);
+    obstacles.for_each_dynamic_ledge(add);
 }
 
 /// The motion in a step of the ground on which a mover stands.
@@ -151,7 +140,7 @@ Vec2 motion_along_ground(Vec2 aside, Vec2 normal, float dt) {
     return dt * length(aside) * normalized(along);
 }
 
-/// Moves in parts that are at most half of the radius long, and finds what it pushes.
+/// Moves in parts that are at most half of the radius long.
 void advance(Moving& moving, Obstacles& obstacles, const Capsule& capsule, Vec2 motion,
              Vec2 ridden) {
     const float longest = max(length(motion), obstacles.farthest_shift());
@@ -161,7 +150,6 @@ void advance(Moving& moving, Obstacles& obstacles, const Capsule& capsule, Vec2 
         obstacles.set_time(float(i) / float(parts));
         moving.advance((1.0f / float(parts)) * motion, (1.0f / float(parts)) * ridden);
     }
-    moving.find_pushed((1.0f / float(parts)) * motion);
 }
 
 /// What is below the feet of a mover after its motion. `own`: its body, 0 for none. `stands`: false
@@ -231,17 +219,6 @@ void report_ground(Moved& moved, const Obstacle& below, const Plane& ground,
     moved.ground_velocity = (1.0f / dt) * carried + belt_velocity(data, below.shape, ground.normal);
 }
 
-/// Gives the weight of the mover to the body on which it stands.
-void press_on_ground(World& world, const WorldData& data, const MoverDef& def,
-                     const Obstacle& below, const Position& point) {
-    if (!below.dynamic || !(def.mass > 0.0f)) return;
-    // A force, not an impulse: a body much lighter than the mover would jump under it.
-    Body body = world.body(data.body_id(below.body));
-    const Vec2 weight = def.mass * world.gravity();
-    const float share = weight_share(data, below.body, point, normalized(weight), def.mass);
-    body.apply_force(bounded(share * weight, 1e12f), point);
-}
-
 }  // namespace
 
 Moved Mover::move(World& world, const Vec2& velocity, float dt) {
@@ -262,6 +239,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     const bool walks = stood && !lifts;
 
     data.read_all();
+    if (stood) hold_ground(world, def_, state_);
     Ride ride = stood && world.is_valid(state_.ground) ? ride_on(data, state_, dt) : Ride{};
     if (walks) wanted = wanted - dot(wanted, up) * up;
     Vec2 motion = walks ? motion_along_ground(wanted, state_.ground_normal, dt) : dt * wanted;
@@ -271,9 +249,10 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     // Obstacles may deflect the motion to any side.
     const float margin = def_.step_height + def_.snap + 4.0f * def_.skin + length(motion);
     const std::optional<ShapeId> dropped = dropped_in(world, state_);
+    const float least_cosine = rotation_of(def_.max_slope).c - 1e-3f;
+    if (!stood && !state_.climbing) obstacles.set_landing(least_cosine);
     obstacles.find(box_between(capsule, start, start + motion, margin), start, ride.carrier, dt,
                    dropped);
-    const float least_cosine = rotation_of(def_.max_slope).c - 1e-3f;
     if (walks) {
         const Vec2 kept =
             keeps_distance(data, obstacles, capsule, start, ride.carrier, least_cosine, dt);
@@ -290,18 +269,23 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     if (walks && !moving.step && !moving.follow(ride.carrier, def_.snap) && !moving.ground() &&
         length(dt * wanted + ride.belt) > dt * least_walk)
         moving.snap_to_ground(def_.snap);
+    const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
+    const std::optional<Plane> ground =
+        ground_after(data, obstacles, moving, own, !state_.climbing && !lifts, up);
+    const Footing footing = footing_on(obstacles, ground);
+    if (footing.body != none && !stood) land_on(world, def_, footing, ground->normal, wanted);
     state_.position = moving.position;
+    const Vec2 carried = (1.0f / dt) * ride.motion;
+    // A wall that pushes the mover pushes what is in front of it, too.
+    const Vec2 free = bounded(velocity, 1e6f) + carried, driven = moving.driven(free, dt);
+    moving.find_pushed(dt * driven);
 
     moved.motion = moving.position - start;
     moved.stepped = moving.step.has_value();
     moved.crushed = !moving.has_room();
     report_hits(moved, moving, obstacles, world, data);
 
-    const Vec2 carried = (1.0f / dt) * ride.motion;
     moved.velocity = moving.clipped(wanted + carried);
-    const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
-    const std::optional<Plane> ground =
-        ground_after(data, obstacles, moving, own, !state_.climbing && !lifts, up);
     state_.on_ground = moved.on_ground = ground.has_value();
     state_.ground = {};
     state_.ground_normal = {};
@@ -313,12 +297,15 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         const Vec2 relative = stood ? wanted : landing(wanted, moved.ground_velocity, up);
         moved.velocity = kept_on_ground(data, obstacles, moving, relative, up);
     }
+    state_.ground_velocity = moved.ground_velocity;
+    const bool stands = ground && !obstacles[ground->obstacle].border && !moved.crushed;
+    report_body(data, def_.body, stands ? obstacles[ground->obstacle].body : none,
+                moved.velocity + moved.ground_velocity);
+    if (!moved.crushed) report_pairs(data, def_.body, footing, moving, obstacles, def_.skin);
     if (dropped && !overlaps_dropped(world)) state_.dropped = {};
 
-    const Vec2 absolute = bounded(velocity, 1e6f) + carried;
-    const Footing footing = footing_on(obstacles, ground);
-    for (const Push& push : moving.pushes) push_body(world, def_, push, footing, absolute, dt);
-    if (ground) press_on_ground(world, data, def_, obstacles[ground->obstacle], ground->point);
+    for (const Push& push : moving.pushes) push_body(world, def_, push, footing, driven, dt);
+    if (footing.body != none) press_on_ground(world, def_, footing, own);
     return moved;
 }
 
@@ -330,7 +317,7 @@ bool Mover::drop(const World& world) {
     state_.dropped = state_.ground;
     state_.on_ground = false;
     state_.ground = {};
-    state_.ground_normal = {};
+    state_.ground_normal = state_.ground_velocity = {};
     return true;
 }
 

@@ -23,10 +23,13 @@ std::vector<Bound> Moving::bounds(Vec2 motion, bool with_distance) const {
     for (const Plane& plane : planes_) {
         // At a distance between half the skin and the skin, the mover stays where it is: if each
         // step pushed it back to the skin, it would move to and fro.
+        // What the body of the mover stops, a ball that rolls against it, does not push it at all.
+        const bool stopped = obstacles_.stops(plane) && cosine(plane) < settings_.least_cosine;
+        const float nearest = stopped ? -0.5f * skin : 0.5f * skin;
         float least = 0.0f;
         if (with_distance && plane.separation > skin) least = skin - plane.separation;
-        if (with_distance && plane.separation < 0.5f * skin)
-            least = min(0.5f * skin - plane.separation, min(most, obstacles_.most_push_out(plane)));
+        if (with_distance && plane.separation < nearest)
+            least = min(nearest - plane.separation, min(most, obstacles_.most_push_out(plane)));
         if (!with_distance) {
             // Dynamic bodies give way to a mover; others take it along.
             least = dot(plane.normal, obstacles_.velocity_at(plane));
@@ -44,10 +47,11 @@ std::vector<Bound> Moving::bounds(Vec2 motion, bool with_distance) const {
     return all;
 }
 
-/// A mover that overlaps a dynamic body between others waits until they give way.
+/// A mover that overlaps a dynamic body or another mover between others waits until they give way.
 float Moving::evasion() const {
     const auto gives_way = [this](const Plane& plane) {
-        return obstacles_[plane.obstacle].dynamic && plane.separation < 0.0f;
+        const Obstacle& obstacle = obstacles_[plane.obstacle];
+        return (obstacle.dynamic || obstacle.of_mover) && plane.separation < 0.0f;
     };
     return std::any_of(planes_.begin(), planes_.end(), gives_way) ? least_evasion : most_evasion;
 }
@@ -67,9 +71,9 @@ void Moving::record_hits(Vec2 motion, float slack) {
         const auto same = [&](const Push& push) { return push.body == obstacle.body; };
         const auto known = std::find_if(pushes.begin(), pushes.end(), same);
         if (known == pushes.end())
-            pushes.push_back({obstacle.body, plane.point, plane.normal});
+            pushes.push_back({obstacle.body, plane.point, plane.normal, plane.separation});
         else
-            *known = {obstacle.body, plane.point, plane.normal};
+            *known = {obstacle.body, plane.point, plane.normal, plane.separation};
     }
 }
 
@@ -243,6 +247,19 @@ bool Moving::snap_to_ground(float reach) {
 bool Moving::has_room() {
     obstacles_.planes_at(position, 0.0f, none, planes_);
     return planes_.empty() || planes_.front().separation > -0.1f * capsule_.radius;
+}
+
+Vec2 Moving::driven(Vec2 velocity, float dt) {
+    constexpr float share = 0.25f, fastest = 3.0f;  // of an overlap in a step; m/s
+    obstacles_.planes_at(position, 1.5f * settings_.skin, none, planes_);
+    std::vector<Bound> all;
+    for (const Plane& plane : planes_) {
+        if (obstacles_[plane.obstacle].dynamic) continue;
+        const float overlap = max(0.0f, 0.5f * settings_.skin - plane.separation);
+        all.push_back({plane.normal, dot(plane.normal, obstacles_.velocity_at(plane)) +
+                                         min(share * overlap / dt, fastest)});
+    }
+    return allowed_motion(velocity, all);
 }
 
 Vec2 Moving::clipped(Vec2 velocity) {

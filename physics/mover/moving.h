@@ -20,6 +20,7 @@ struct Push {
     uint32_t body = none;
     Position point;
     Vec2 normal;
+    float separation = 0.0f;  ///< m; negative: it overlaps the mover
 };
 
 /// A mover during one step: it moves in short parts of its motion, and after each of them it
@@ -46,6 +47,9 @@ class Moving {
     std::optional<Plane> ground();
     /// True if nothing overlaps it by more than a tenth of its radius.
     bool has_room();
+    /// The velocity that walls and other bodies that are not dynamic leave it, or give it, and with
+    /// which it leaves those that it overlaps. `dt`: the length of the step, s.
+    Vec2 driven(Vec2 velocity, float dt);
     /// The velocity without the parts that obstacles at its position stop.
     Vec2 clipped(Vec2 velocity);
 

@@ -26,6 +26,16 @@ constexpr float push_out_speed = 3.0f;
 /// A body moves by at most this in a step, m.
 constexpr float farthest = 1000.0f;
 
+/// What is known of the mover whose body this is; null if it is none of a mover.
+const MoverBody* mover_of(const WorldData& data, uint32_t body) {
+    if (data.bodies[body].mobility != Mobility::kinematic) return nullptr;
+    const auto same = [&](const MoverBody& mover) {
+        return mover.body.index == body && mover.body == data.body_id(body);
+    };
+    const auto found = std::find_if(data.mover_bodies.begin(), data.mover_bodies.end(), same);
+    return found != data.mover_bodies.end() ? &*found : nullptr;
+}
+
 /// True if a corner of one can be flush with a side of the other throughout the step.
 bool move_alike(const Obstacle& a, const Obstacle& b) {
     if (a.body == b.body) return true;
@@ -57,6 +67,10 @@ float turn_of(const BodyState& state, float dt) {
 }
 
 Vec2 motion_of(const WorldData& data, uint32_t body, const Position& point, float dt) {
+    // The body of another mover that has not moved yet goes on as this mover wants, not as fast as
+    // it was pushed out of something.
+    const MoverBody* const mover = mover_of(data, body);
+    if (mover != nullptr && mover->old) return bounded(dt * mover->velocity, farthest);
     const BodyState& state = data.states[body];
     const Vec2 arm = point - data.bodies[body].center;
     const Vec2 turned = rotate(rotation_of(turn_of(state, dt)), arm);
@@ -87,13 +101,13 @@ void Obstacles::find(Box4 box, const Position& position, uint32_t carrier, float
     }
     box = grow(box, fastest);
     const uint32_t self = def_.body.index;
-    const bool has_body = self != 0 && self < data_.bodies.size() &&
-                          data_.body_generations[self] != 0 && data_.body_id(self) == def_.body;
+    has_body_ = self != 0 && self < data_.bodies.size() && data_.body_generations[self] != 0 &&
+                data_.body_id(self) == def_.body;
     const auto visit = [&](uint32_t shape) {
         if (!overlap(data_.boxes[shape], box) || !is_accepted(data_, filter_, shape)) return;
         const uint32_t body = data_.forms[shape].body;
         if (body == none || data_.body_id(body) == def_.body) return;
-        if (has_body && joint_forbids_contact(data_, self, body)) return;
+        if (has_body_ && (joint_forbids_contact(data_, self, body) || stands_on_it(body))) return;
         if (left_out && data_.shape_id(data_.named_shape(shape)) == *left_out) return;
         add(shape, position, carrier, dt);
     };
@@ -111,6 +125,13 @@ void Obstacles::find(Box4 box, const Position& position, uint32_t carrier, float
     }
 }
 
+/// True for the body of a mover that stands on the body of this mover. If it gave way to what it
+/// carries along, both would become ever faster.
+bool Obstacles::stands_on_it(uint32_t body) const {
+    const MoverBody* const mover = mover_of(data_, body);
+    return mover != nullptr && mover->ground == def_.body;
+}
+
 void Obstacles::add(uint32_t shape, const Position& position, uint32_t carrier, float dt) {
     Obstacle& made = all_.emplace_back();
     made.solid = data_.solid(shape);
@@ -119,15 +140,18 @@ void Obstacles::add(uint32_t shape, const Position& position, uint32_t carrier, 
     const BodyRecord& body = data_.bodies[made.body];
     made.center = body.center;
     made.dynamic = body.mobility == Mobility::dynamic;
+    made.of_mover = mover_of(data_, made.body) != nullptr;
     if (body.mobility != Mobility::fixed) {
         const Vec2 offset = made.center - position;
         const Nearest near = nearest_points(capsule_.solid(0.0f), made.solid, offset);
         // The ground takes the mover along: what is at rest on it stays at its distance from it.
         const Vec2 at = made.body == carrier ? near.on_a : near.on_b;
         made.shift = made.motion = motion_of(data_, made.body, position + at, dt);
-        made.leads = made.dynamic && made.body != carrier;
+        const bool lands = -dot(near.normal, capsule_.up) >= landing_cosine_;
+        made.leads = made.dynamic && made.body != carrier && !lands;
         // A body that is pushed leads the mover, which stays in touch with it. One that comes
-        // towards the mover is at rest, because the mover may stop it.
+        // towards the mover is at rest, because the mover may stop it; but it stays above ground on
+        // which it is going to land, as its own body would hit this ground with an infinite mass.
         if (made.leads) made.shift = max(0.0f, dot(made.shift, near.normal)) * near.normal;
     }
     if (made.solid.kind == FormKind::piece && made.solid.form.count == 2) {

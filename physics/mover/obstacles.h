@@ -49,6 +49,7 @@ struct Obstacle {
     bool border = false;  ///< a side of the bounds: `front` is its normal, `depth` its place
     bool one_sided = false;
     bool dynamic = false;
+    bool of_mover = false;     ///< a part of the body of another mover
     bool taken_along = false;  ///< it moves as the feet on it do
     bool leads = false;        ///< dynamic, and not the ground: it moves only away from the mover
     Vec2 front;                ///< unit vector out of the solid side of a one-sided obstacle
@@ -73,6 +74,9 @@ class Obstacles {
     /// Finds the obstacles that overlap a box. Kinematic bodies and `carrier` move in `dt` seconds.
     void find(Box4 box, const Position& position, uint32_t carrier, float dt,
               std::optional<ShapeId> left_out);
+    /// For a mover in the air, to be called before `find`: the least cosine of the slope of ground
+    /// on which it may land.
+    void set_landing(float least_cosine) { landing_cosine_ = least_cosine; }
     /// What is below the feet on a body moves as they do. What moves alike keeps its distance, also
     /// where the body turns, which its obstacles do not do within a step.
     void take_along(uint32_t body, Vec2 motion, const Position& position);
@@ -97,12 +101,20 @@ class Obstacles {
                                   float least_cosine) const;
     /// How far an obstacle that overlaps the mover pushes it out in this part of the step, m.
     float most_push_out(const Plane& plane) const;
+    /// True if the own body of the mover stops an obstacle: a dynamic body.
+    bool stops(const Plane& plane) const { return has_body_ && all_[plane.obstacle].dynamic; }
     /// The velocity of an obstacle at a plane, m/s.
     Vec2 velocity_at(const Plane& plane) const;
+    /// Calls `visit(body)` for dynamic ledges.
+    void for_each_dynamic_ledge(auto&& visit) const {
+        for (const Obstacle& each : all_)
+            if (each.dynamic && each.one_sided) visit(each.body);
+    }
     const Obstacle& operator[](uint32_t index) const { return all_[index]; }
     WorldData& data() const { return data_; }
 
   private:
+    bool stands_on_it(uint32_t body) const;
     void add(uint32_t shape, const Position& position, uint32_t carrier, float dt);
     Position center(const Obstacle& obstacle) const {
         return obstacle.center + time_ * obstacle.shift;
@@ -116,7 +128,9 @@ class Obstacles {
     std::vector<Obstacle> all_;
     float time_ = 0.0f;
     float part_ = 0.0f;  ///< the share of the step between the last two times
-    float dt_ = 0.0f;    ///< s: the length of the step; 0: nothing moves
+    float landing_cosine_ = infinity;
+    bool has_body_ = false;  ///< the mover has a body of its own
+    float dt_ = 0.0f;        ///< s: the length of the step; 0: nothing moves
 };
 
 /// The angle by which a body turns in the step, rad.

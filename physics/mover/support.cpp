@@ -1,4 +1,5 @@
 #include <mover/support.h>
+#include <step/gather.h>
 
 #include <algorithm>
 #include <vector>
@@ -8,6 +9,14 @@ namespace {
 
 bool is_pushed(const Load& load) {
     return load.force.x != 0.0f || load.force.y != 0.0f || load.torque != 0.0f;
+}
+
+/// True if a field or a force of the host acts on a body. It may carry it, by how much is not
+/// known.
+bool is_carried(const WorldData& data, uint32_t body) {
+    const BodyRecord& record = data.bodies[body];
+    return is_pushed(record.load) || is_pushed(record.step_load) ||
+           in_any_field(data, data, data.boxes, body);
 }
 
 /// A mover weighs at most this many times as much as the part of a body that its feet move:
@@ -78,7 +87,6 @@ void hold(Response& response, std::vector<Hold>& holds) {
 
 bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out) {
     constexpr size_t most = 64;  // examined bodies; a larger heap counts as supported
-    if (data.field_slots.count > 0) return true;
     std::vector<uint32_t> group = {body};
     bool supported = false;
     const auto reach = [&](uint32_t other) {
@@ -87,10 +95,12 @@ bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out) {
         if (std::find(group.begin(), group.end(), other) == group.end()) group.push_back(other);
     };
     for (size_t i = 0; i < group.size() && !supported; ++i) {
-        const BodyRecord& record = data.bodies[group[i]];
-        if (i >= most || is_pushed(record.load) || is_pushed(record.step_load)) return true;
+        if (i >= most || is_carried(data, group[i])) return true;
         data.for_each_joint(group[i], [&](uint32_t joint, uint32_t side) {
-            if (data.joints[joint].moves()) reach(data.joints[joint].bodies[side ^ 1]);
+            if (!data.joints[joint].moves()) return;
+            reach(data.joints[joint].bodies[side ^ 1]);
+            // Its rope hangs on wheels of the world.
+            supported = supported || data.joints[joint].type == JointType::pulley;
         });
         data.for_each_contact(group[i], [&](uint32_t contact) {
             if (data.contacts[contact].acts()) reach(data.other_body(contact, group[i]));
@@ -100,7 +110,7 @@ bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out) {
 }
 
 float weight_share(const WorldData& data, uint32_t body, const Position& point, Vec2 down,
-                   float mass) {
+                   float mass, uint32_t left_out) {
     const BodyRecord& record = data.bodies[body];
     const BodyState& state = data.states[body];
     const Vec2 arm = point - record.center;
@@ -109,9 +119,7 @@ float weight_share(const WorldData& data, uint32_t body, const Position& point, 
     const auto at_most = [own = 1.0f / (mass * response.speed(arm, down))](float times) {
         return min(1.0f, times * own);
     };
-    // Fields and forces of the host may carry it, by how much is not known.
-    if (data.field_slots.count > 0 || is_pushed(record.load) || is_pushed(record.step_load))
-        return at_most(most_afloat);
+    if (is_carried(data, body)) return at_most(most_afloat);
     std::vector<Hold> holds;
     bool fixed = false, on_ground = false;
     data.for_each_joint(body, [&](uint32_t slot, uint32_t side) {
@@ -128,9 +136,10 @@ float weight_share(const WorldData& data, uint32_t body, const Position& point, 
     if (fixed) return at_most(most_on_others);
     const bool jointed = !holds.empty();
     data.for_each_contact(body, [&](uint32_t contact) {
-        if (!data.contacts[contact].acts()) return;
+        const uint32_t other = data.other_body(contact, body);
+        if (!data.contacts[contact].acts() || (other == left_out && left_out != 0)) return;
         add_contact(data.contacts[contact], body, holds);
-        on_ground |= data.bodies[data.other_body(contact, body)].mobility != Mobility::dynamic;
+        on_ground |= data.bodies[other].mobility != Mobility::dynamic;
     });
     const float most = at_most(on_ground && !jointed ? most_on_ground : most_on_others);
     hold(response, holds);

@@ -14,9 +14,9 @@ bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out);
 /// The share of its weight (0 … 1) with which a mover of `mass` (kg) loads a dynamic body at a
 /// `point`, in the direction `down` of gravity. Where contacts and pins hold the body there, all of
 /// it; where it gives way, no more than makes the point fall with the mover. In all cases at most
-/// a multiple of what the body itself weighs there: 30 on ground that cannot move, 2 in a
-/// world with fields or if a force acts on it, otherwise 8.
+/// a multiple of what the body itself weighs there: 30 on ground that cannot move, 2 if a
+/// field or a force acts on it, otherwise 8. `left_out`: as in `is_supported`.
 float weight_share(const WorldData& data, uint32_t body, const Position& point, Vec2 down,
-                   float mass);
+                   float mass, uint32_t left_out);
 
 }  // namespace fettle::physics::detail

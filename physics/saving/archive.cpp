@@ -115,11 +115,13 @@ void World::take(World&& other) {
     data_->self.may_replace("World", __func__);
     WorldData& data = *data_;
     WorldData& given = other.populate(__func__);
-    data.replace_state(std::move(given));
+    // If memory runs out here, neither world has changed.
     WorldData empty;
     empty.self.link = &acquire_link();
     detail::make_border(empty.editing());
-    given.replace_state(std::move(empty));  // NOLINT: gives what was moved a state again
+    WorldState taken(std::move(static_cast<WorldState&>(given)));
+    given.replace_state(std::move(empty));
+    data.replace_state(std::move(taken));
 }
 
 /// Keeps scratch data, callbacks and threads. The generations of the new state are never used
@@ -130,6 +132,8 @@ void WorldData::replace_state(WorldState&& other) {
     for (const auto* list : {&body_generations, &shape_generations, &joint_generations})
         self.link->skip(*list);
     for (const FieldRecord& field : fields) self.link->skip({&field.generation, 1});
+    // A copy has no filter: the next step makes contacts of the pairs that the filter rejected.
+    if (filtered && !self.filter && !self.replays) search_all_pairs();
 }
 
 }  // namespace fettle::physics

@@ -197,6 +197,12 @@ void fields(auto& io, Some<ManifoldPose> auto& s) {
 void fields(auto& io, Some<IgnoredPair> auto& s) {
     fields_of<IgnoredPair>(io, s.shape_a, s.shape_b);
 }
+void fields(auto& io, Some<MoverBody> auto& s) {
+    fields_of<MoverBody>(io, s.body, s.ground, s.velocity, s.old);
+}
+void fields(auto& io, Some<MoverPair> auto& s) {
+    fields_of<MoverPair>(io, s.mover, s.other);
+}
 void fields(auto& io, Some<ContactUserData> auto& s) {
     fields_of<ContactUserData>(io, s.shape_a, s.shape_b, s.user_data, s.ended);
 }

@@ -372,6 +372,22 @@ struct IgnoredPair {
     ShapeId shape_a, shape_b;
 };
 
+/// The body of a mover after its last move.
+struct MoverBody {
+    BodyId body;
+    /// The body on which it stands. If this is the body of another mover, that mover does not give
+    /// way to the body on its head.
+    BodyId ground;
+    Vec2 velocity;     ///< of the mover, m/s; its body is faster while it is pushed out of another
+    bool old = false;  ///< the step after the move is over
+};
+
+/// The body of a mover and a dynamic body that the mover loads or pushes by itself. They have no
+/// contact in the next step, in which the kinematic body would push with an infinite mass.
+struct MoverPair {
+    BodyId mover, other;
+};
+
 /// The user data of the contact of two shapes: World::set_contact_data.
 struct ContactUserData {
     ShapeId shape_a, shape_b;  ///< in the order of a `ContactId`

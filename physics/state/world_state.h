@@ -257,7 +257,10 @@ struct ActiveLists {
 
 struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     WorldDef settings;
+    bool filtered = false;  ///< a filter of the host may have rejected pairs that overlap
     std::vector<IgnoredPair> ignored_pairs;
+    std::vector<MoverBody> mover_bodies;             ///< that moved in this step or the last
+    std::vector<MoverPair> mover_pairs;              ///< of the moves before the next step
     std::vector<ContactUserData> contact_user_data;  ///< in the order of their pairs
     Strips strips;                                   ///< cuts of the last step
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio of the lengths
@@ -279,7 +282,8 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
             named("bodies", s.states, s.previous, s.body_generations),
             named("shapes", s.shape_generations), named("joints", s.joint_generations),
             named("", part<ObjectState>(s), part<BroadPhaseState>(s), part<ActiveLists>(s)),
-            named("contacts", s.ignored_pairs, s.contact_user_data),
+            named("contacts", s.filtered, s.ignored_pairs, s.mover_bodies, s.mover_pairs,
+                  s.contact_user_data),
             named("events", s.events, s.pending));
     }
 };

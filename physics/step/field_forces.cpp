@@ -10,6 +10,8 @@
 #include <step/gather.h>
 #include <step/shape_box.h>
 
+#include <algorithm>
+
 namespace fettle::physics::detail {
 namespace {
 
@@ -151,7 +153,9 @@ class FieldOnBody {
 };
 
 bool acts_on_body(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
-                  uint32_t body, const FieldDef& field) {
+                  uint32_t body, const FieldRecord& record) {
+    const FieldDef& field = record.def;
+    if (record.generation == 0 || !field.enabled) return false;
     const bool liquid = std::holds_alternative<BuoyancyField>(field.force);
     if (!liquid && !inside(field.region, objects.bodies[body].center)) return false;
     bool any = objects.bodies[body].lists.first_shape == none;
@@ -197,6 +201,14 @@ void attract(const BodyRecord& record, uint32_t solver_index, uint32_t first, co
 
 }  // namespace
 
+bool in_any_field(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
+                  uint32_t body) {
+    if (objects.field_slots.count == 0) return false;
+    return std::any_of(objects.fields.begin(), objects.fields.end(), [&](const FieldRecord& each) {
+        return acts_on_body(objects, columns, boxes, body, each);
+    });
+}
+
 void apply_fields(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
                   std::span<const uint32_t> awake, Vec2 gravity, float h, float dt,
                   BodyScratch& bodies) {
@@ -211,9 +223,7 @@ void apply_fields(const ObjectState& objects, const Columns& columns, std::span<
         bool pushed = false;
         const auto first = uint32_t(attractions.attractors.size());
         for (const FieldRecord& field : objects.fields) {
-            if (field.generation == 0 || !field.def.enabled ||
-                !acts_on_body(objects, columns, boxes, body, field.def))
-                continue;
+            if (!acts_on_body(objects, columns, boxes, body, field)) continue;
             pushed = true;
             std::visit(FieldOnBody(objects, columns, gravity, body, field.def.mask, h, dt, push,
                                    attractions),

@@ -25,5 +25,8 @@ void clear_ends(const ActiveLists& active, BodyScratch& bodies);
 void apply_fields(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
                   std::span<const uint32_t> awake, Vec2 gravity, float h, float dt,
                   BodyScratch& bodies);
+/// True if a field acts on a body where it is now.
+bool in_any_field(const ObjectState& objects, const Columns& columns, std::span<const Box4> boxes,
+                  uint32_t body);
 
 }  // namespace fettle::physics::detail

@@ -68,7 +68,7 @@ UserFilter WorldData::user_filter() const {
 }
 
 UserDecision WorldData::user_decision() {
-    if (!self.has_contact_callbacks()) return {};
+    if (!self.has_contact_callbacks() && mover_pairs.empty()) return {};
     return {this, [](void* world, uint32_t contact) {
                 return static_cast<WorldData*>(world)->callbacks_let_act(contact);
             }};
@@ -79,6 +79,18 @@ namespace {
 /// A callback disables a contact for one step only.
 void enable(ContactRecord& c) {
     if (c.skipped == Skipped::by_callback) c.skipped = Skipped::no;
+}
+
+/// Visits the contacts of the pairs of bodies that movers push by themselves.
+void for_each_mover_contact(const WorldData& world, auto&& visit) {
+    for (const MoverPair& pair : world.mover_pairs) {
+        if (!world.is_valid(pair.mover) || !world.is_valid(pair.other)) continue;
+        world.for_each_contact(pair.mover.index, [&](uint32_t contact) {
+            if (world.other_body(contact, pair.mover.index) == pair.other.index &&
+                !world.contacts[contact].sensor)
+                visit(contact);
+        });
+    }
 }
 
 /// Calls the callbacks for the contacts of a step in their order, so that equal inputs give equal
@@ -363,6 +375,10 @@ class ContactCallbacks {
 }  // namespace
 
 void WorldData::call_contact_callbacks() {
+    for_each_mover_contact(*this, [&](uint32_t contact) {
+        if (contacts[contact].awake_index != none)
+            skip_contact(touching(), contact, Skipped::by_callback);
+    });
     if (!self.has_contact_callbacks() && ignored_pairs.empty()) return;
     ContactCallbacks contact_callbacks(*this);
     contact_callbacks.mix_all();
@@ -370,7 +386,26 @@ void WorldData::call_contact_callbacks() {
     contact_callbacks.before_solve_all();
 }
 
+void WorldData::end_moves() {
+    for_each_mover_contact(*this, [&](uint32_t contact) { enable(contacts[contact]); });
+    mover_pairs.clear();
+    std::erase_if(mover_bodies, [](const MoverBody& mover) { return mover.old; });
+    for (MoverBody& mover : mover_bodies) mover.old = true;
+}
+
+void WorldData::search_all_pairs() {
+    filtered = bool(self.filter);
+    for (uint32_t shape = 4; shape < shapes.size(); ++shape)
+        if (shape_generations[shape] != 0 && forms[shape].body != none) change<mark_moved>(shape);
+}
+
 bool WorldData::callbacks_let_act(uint32_t contact) {
+    bool of_mover = false;
+    for_each_mover_contact(*this, [&](uint32_t each) { of_mover = of_mover || each == contact; });
+    if (of_mover) {
+        contacts[contact].skipped = Skipped::by_callback;
+        return false;
+    }
     return ContactCallbacks(*this).let_act(contact);
 }
 
@@ -397,10 +432,7 @@ void World::set_filter(PairFilter filter) {
         data.change<wake_for_edit>(c.body_b);
         data.change<destroy_contact>(slot);
     }
-    for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
-        if (data.shape_generations[shape] != 0 && data.forms[shape].body != none)
-            data.change<mark_moved>(shape);
-    }
+    data.search_all_pairs();
     lock.finish();
 }
 void World::ignore_until_separated(const Shape& a, const Shape& b) {

@@ -141,13 +141,13 @@ void WorldData::step(float dt) {
     store_results(sub, joint_step, dt);
     statistics.solve_ms = clock.lap();
 
-    sleep_candidates =
-        finish_bodies({objects(), columns(), broad_phase(), active(), settings, body_scratch(),
-                       sub.settings.substeps, *this, pair_scratch(), contact_list(), activity(),
-                       pending, user_filter(), user_decision(),
-                       crushed || self.has_contact_callbacks() || !ignored_pairs.empty(),
-                       statistics, threads, self.sums},
-                      dt);
+    sleep_candidates = finish_bodies(
+        {objects(), columns(), broad_phase(), active(), settings, body_scratch(),
+         sub.settings.substeps, *this, pair_scratch(), contact_list(), activity(), pending,
+         user_filter(), user_decision(),
+         crushed || self.has_contact_callbacks() || !ignored_pairs.empty() || !mover_pairs.empty(),
+         statistics, threads, self.sums},
+        dt);
     store_velocities_after(self.sums, columns());
     report_parted(touching());
     mark_ended_contacts();
@@ -260,6 +260,7 @@ void WorldData::notify_step_end() {
 
 void WorldData::end_step() {
     stepping = false;
+    end_moves();
     statistics.steps = steps;
     statistics.bodies = body_slots.count;
     statistics.shapes = shape_slots.count;

@@ -78,6 +78,10 @@ struct WorldData : WorldState, StepScratch {
         return detail::may_collide(*this, user_filter(), shape_a, shape_b);
     }
     void call_contact_callbacks();
+    /// The next step finds the pairs of all shapes again, for another filter.
+    void search_all_pairs();
+    /// To be called when a step is over.
+    void end_moves();
 
     // damage.cpp
     /// Makes an edit by `act`, a function of edits.h or sleep.h: it gets the parts of the world

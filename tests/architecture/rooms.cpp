@@ -72,7 +72,7 @@ const std::vector<DividedPart>& divided_parts() {
              {"queries",
               {"geometry", "forms", "distance", "contacts", "state", "checks", "world", "handles"}},
              {"mover",
-              {"geometry", "collision", "distance", "contacts", "state", "checks", "world",
+              {"geometry", "collision", "distance", "contacts", "state", "checks", "step", "world",
                "queries"}},
              {"saving", {"collision", "state", "checks", "world"}},
              {"recording", {"state", "world", "saving"}},

@@ -31,6 +31,7 @@ template <class InC, class Each>
 void each_member(InC& c, MoverState& state, const Each& each) {
     each(c.position, state.position);
     each(c.ground_normal, state.ground_normal);
+    each(c.ground_velocity, state.ground_velocity);
     each(c.on_ground, state.on_ground);
     each(c.climbing, state.climbing);
 }

@@ -32,6 +32,7 @@ class MoverState(NamedTuple):
     """All that a mover keeps from move to move."""
     position: Vec2
     ground_normal: Vec2
+    ground_velocity: Vec2  # m/s; zero in the air
     ground: Optional[Shape]
     dropped: Optional[Shape]
     on_ground: bool
@@ -127,6 +128,7 @@ class Mover(HasProperties):
     on_ground = _state_property("on_ground")
     ground = _state_property("ground", _shape_or_none)
     ground_normal = _state_property("ground_normal", lambda world, value: vec2(value))
+    ground_velocity = _state_property("ground_velocity", lambda world, value: vec2(value))
     dropped = _state_property("dropped", _shape_or_none)
 
     @property
@@ -136,7 +138,7 @@ class Mover(HasProperties):
 
     @position.setter
     def position(self, position):
-        self.state = MoverState(Vec2(*pair(position, "position")), Vec2(0, 0), None, self.dropped, False, self.climbing)
+        self.state = MoverState(Vec2(*pair(position, "position")), Vec2(0, 0), Vec2(0, 0), None, self.dropped, False, self.climbing)
 
     @property
     def climbing(self):
@@ -151,15 +153,15 @@ class Mover(HasProperties):
     def state(self):
         """For saving the mover; it can be set again."""
         state = self._state
-        return MoverState(vec2(state.position), vec2(state.ground_normal), self.ground, self.dropped, state.on_ground,
-                          state.climbing)
+        return MoverState(vec2(state.position), vec2(state.ground_normal), vec2(state.ground_velocity), self.ground,
+                          self.dropped, state.on_ground, state.climbing)
 
     @state.setter
     def state(self, state):
         if not isinstance(state, MoverState):
             raise Invalid(f"state: expected a MoverState, got {state!r}")
         made = definition("fettle_mover_state")
-        for name in ("position", "ground_normal"):
+        for name in ("position", "ground_normal", "ground_velocity"):
             vector = getattr(made, name)
             vector.x, vector.y = pair(getattr(state, name), name)
         made.ground, made.dropped = id_of(state.ground, Shape), id_of(state.dropped, Shape)

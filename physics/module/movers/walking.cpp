@@ -21,6 +21,7 @@ physics::Mover mover_of(const MoverRecord& record, const physics::Body& body) {
     physics::MoverState state;
     state.position = body.position();
     state.ground_normal = {record.result.normal_x, record.result.normal_y};
+    state.ground_velocity = {record.result.ground_x, record.result.ground_y};
     state.ground = record.result.ground;
     state.dropped = record.result.dropped;
     state.on_ground = record.result.on_ground != 0;

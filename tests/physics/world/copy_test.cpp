@@ -137,4 +137,26 @@ TEST_CASE("reserved memory changes no result and is as large as requested") {
     REQUIRE_THROWS_WITH(world.reserve({.shapes = 1u << 25}), contains("shapes = 33554432"));
 }
 
+TEST_CASE("a copy without the filter has the contacts that the filter refused") {
+    World world({.gravity = {0, 0}});
+    world.set_filter([](const Shape&, const Shape&) { return false; });
+    add_box(world, {0, 0});
+    add_box(world, {0.3f, 0});
+    run(world, 0.1f);
+    REQUIRE(world.contacts().empty());
+    std::vector<std::byte> saved;
+    world.save(saved);
+    World copy = world.clone(), restored;
+    restored.restore(saved);
+    for (World* each : {&copy, &restored}) {
+        CHECK_FALSE(each->validate());
+        run(*each, 0.1f);
+        CHECK(each->contacts().size() == 1);
+        CHECK_FALSE(each->validate());
+    }
+    world.restore(saved);
+    run(world, 0.1f);
+    CHECK(world.contacts().empty());
+}
+
 }  // namespace copy_test

@@ -128,6 +128,26 @@ TEST_CASE("without memory for a body or a shape nothing is created and the world
     REQUIRE(without > 10);
 }
 
+TEST_CASE("without memory a world takes nothing from another and both stay as they were") {
+    for (int64_t allocations = 0;; ++allocations) {
+        INFO("memory ends after " << allocations << " allocations");
+        World world, other;
+        add_floor(world);
+        for (int i = 0; i < 8; ++i) add_ball(other, {0.8f * float(i), 0});
+        world.step(frame);
+        other.step(frame);
+        const Body ball = other.bodies()[0];
+        const bool ended = ends_within(allocations, [&] { world.take(std::move(other)); });
+        REQUIRE_FALSE(world.validate());
+        REQUIRE_FALSE(other.validate());
+        REQUIRE(world.body_count() == (ended ? 1 : 8));
+        REQUIRE(other.body_count() == (ended ? 8 : 0));
+        REQUIRE(ball.is_valid() == ended);
+        for (World* each : {&world, &other}) each->step(frame);
+        if (!ended) break;
+    }
+}
+
 TEST_CASE("every method of a damaged world and of its handles throws but those that replace it") {
     World world;
     Things things = make_things(world);

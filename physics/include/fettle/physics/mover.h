@@ -13,22 +13,24 @@ namespace fettle::physics {
 /// Settings of a mover. Its form is an upright capsule. The position of a mover is the lowest point
 /// of this capsule: its feet.
 struct MoverDef {
-    float radius = 0.4f;        ///< m, 0.01 … 1000
-    float height = 1.8f;        ///< m, at least twice the radius, at most 1000
-    Vec2 up = {0.0f, 1.0f};     ///< direction from its feet to its head; of any length but 0
-    float max_slope = 0.87f;    ///< rad, 0 … 1.5: steeper ground is a wall
-    float step_height = 0.3f;   ///< m: it climbs steps up to this height, to 1 mm
-    float snap = 0.25f;         ///< m: walking, it follows ground that is lower by at most this
-    float skin = 0.01f;         ///< m, 0.001 … 0.1: distance that it keeps from obstacles
-    float mass = 80.0f;         ///< kg: its weight on dynamic bodies, on light ones less; 0: none
-    float push_force = 600.0f;  ///< N: at most this pushes a dynamic body, and its ground back
-    uint64_t category = 1;      ///< categories of the mover: as `ShapeDef::category`
+    float radius = 0.4f;           ///< m, 0.01 … 1000
+    float height = 1.8f;           ///< m, at least twice the radius, at most 1000
+    Vec2 up = {0.0f, 1.0f};        ///< direction from its feet to its head; of any length but 0
+    float max_slope = 0.87f;       ///< rad, 0 … 1.5: steeper ground is a wall
+    float step_height = 0.3f;      ///< m: it climbs steps up to this height, to 1 mm
+    float snap = 0.25f;            ///< m: walking, it follows ground that is lower by at most this
+    float skin = 0.01f;            ///< m, 0.001 … 0.1: distance that it keeps from obstacles
+    float mass = 80.0f;            ///< kg, for dynamic bodies, for light ones less; 0: no weight
+    float push_force = 600.0f;     ///< N: at most this pushes a dynamic body, and its ground back
+    uint64_t category = 1;         ///< categories of the mover: as `ShapeDef::category`
     uint64_t mask = ~uint64_t{0};  ///< categories of the shapes that are obstacles
     int32_t group = 0;             ///< as `ShapeDef::group`
     /// Categories of ledges: shapes that are solid only from above, and through which `drop` lets
     /// it fall. Chains are solid on one side without this.
     uint64_t ledges = 0;
-    BodyId body = {};  ///< a body whose shapes are not obstacles: the mover's own
+    /// A kinematic body whose shapes are not obstacles: the mover's own. It has no contact with the
+    /// dynamic bodies that the mover stands on or pushes, nor with dynamic ledges near it.
+    BodyId body = {};
 };
 
 /// A plane that bounds the motion of a mover, from the surface of a shape near it.
@@ -41,12 +43,13 @@ struct MoverPlane {
 
 /// The state of a mover from one move to the next.
 struct MoverState {
-    Position position = {};   ///< of its feet, m
-    Vec2 ground_normal = {};  ///< zero in the air
-    ShapeId ground = {};      ///< the shape on which it stands
-    ShapeId dropped = {};     ///< the shape through which it falls until it no longer overlaps it
-    bool on_ground = false;   ///< after the move: it stands
-    bool climbing = false;    ///< as `Mover::climbing`
+    Position position = {};     ///< of its feet, m
+    Vec2 ground_normal = {};    ///< zero in the air
+    Vec2 ground_velocity = {};  ///< of the ground at its feet, m/s; zero in the air
+    ShapeId ground = {};        ///< the shape on which it stands
+    ShapeId dropped = {};       ///< the shape through which it falls until it no longer overlaps it
+    bool on_ground = false;     ///< after the move: it stands
+    bool climbing = false;      ///< as `Mover::climbing`
 };
 
 /// The results of a move.

@@ -201,7 +201,9 @@ class World {
 
     /// Called for every pair of shapes that come near to each other, in a step, and again after an
     /// edit of a shape's filter. Setting it calls it again for all pairs. For sleeping pairs it is
-    /// called when they wake, as are the next two callbacks.
+    /// called when they wake, as are the next two callbacks. A copy, which has no filter, makes the
+    /// contacts that the filter has refused. Set it again after restoring a state that was saved
+    /// with another filter.
     void set_filter(PairFilter filter);
     /// Mixes the surfaces of every contact in every step, after the mix rules. May set friction,
     /// restitution and surface speed. Called for each touching part of an outline.

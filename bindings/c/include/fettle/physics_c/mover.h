@@ -25,19 +25,20 @@ typedef struct fettle_mover_def {
     float step_height; /* 0.3 m, 0 to 1000; it climbs steps up to this height */
     float snap;        /* 0.25 m, 0 to 1000; walking, it stays on ground that falls by this */
     float skin;        /* 0.01 m, 0.001 to 0.1; distance that it keeps from everything */
-    float mass;        /* 80 kg, at least 0; its weight on dynamic bodies, on light ones less */
+    float mass;        /* 80 kg, at least 0; for dynamic bodies, for light ones less */
     float push_force;  /* 600 N, at least 0; at most this pushes a body, and its ground back */
 } fettle_mover_def;
 
 /** The state of a mover: a plain value that can be copied and saved. */
 typedef struct fettle_mover_state {
     uint32_t size;
-    bool on_ground;            /* after the last move */
-    bool climbing;             /* true: it moves freely, without ground, steps and rides */
-    fettle_position position;  /* of its feet, m */
-    fettle_vec2 ground_normal; /* zero in the air */
-    fettle_id ground;          /* the shape on which it stands; 0 in the air */
-    fettle_id dropped;         /* the shape through which it falls; 0: none */
+    bool on_ground;              /* after the last move */
+    bool climbing;               /* true: it moves freely, without ground, steps and rides */
+    fettle_position position;    /* of its feet, m */
+    fettle_vec2 ground_normal;   /* zero in the air */
+    fettle_vec2 ground_velocity; /* of the ground at its feet, m/s; zero in the air */
+    fettle_id ground;            /* the shape on which it stands; 0 in the air */
+    fettle_id dropped;           /* the shape through which it falls; 0: none */
 } fettle_mover_state;
 
 /** What happened in a move. */

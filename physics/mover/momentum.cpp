@@ -1,0 +1,103 @@
+// The impulses and forces by which a mover and the bodies around it exchange momentum.
+
+#include <geometry/trigonometry.h>
+#include <mover/momentum.h>
+#include <mover/obstacles.h>
+#include <mover/support.h>
+
+namespace fettle::physics::detail {
+
+namespace {
+
+/// How much an impulse of 1 N s along a unit vector changes the speed of a point of a body.
+float yielding(const BodyRecord& body, Vec2 arm, Vec2 direction) {
+    const float lever = cross(arm, direction);
+    return body.inverse_mass + lever * lever * body.inverse_inertia;
+}
+
+/// Ground and mover get one velocity at a point, as in an inelastic collision, where the ground was
+/// faster than the mover by `change` (m/s). Only the impulse on the ground is applied here.
+void take_momentum(World& world, const MoverDef& def, const Footing& footing, Vec2 change) {
+    constexpr float least = 1e-3f;  // m/s; what is slower may fall asleep
+    const float speed = length(change);
+    if (!(def.mass > 0.0f) || !(speed > least)) return;
+    const WorldData& data = MoverWorld::of(world);
+    const BodyRecord& record = data.bodies[footing.body];
+    const Vec2 arm = footing.point - record.center, direction = (1.0f / speed) * change;
+    const float impulse = speed / (1.0f / def.mass + yielding(record, arm, direction));
+    Body body = world.body(data.body_id(footing.body));
+    body.apply_impulse(bounded(-impulse * direction, 1e12f), footing.point);
+}
+
+Vec2 velocity_of(const WorldData& data, const Footing& footing) {
+    const BodyState& state = data.states[footing.body];
+    const Vec2 arm = footing.point - data.bodies[footing.body].center;
+    return state.velocity + cross(state.angular_velocity, arm);
+}
+
+}  // namespace
+
+Vec2 belt_velocity(const WorldData& data, uint32_t shape, Vec2 normal) {
+    const float speed = data.shapes[data.named_shape(shape)].surface.surface_speed;
+    return {-speed * normal.y, speed * normal.x};
+}
+
+// The mover holds on to its ground, which gets the opposite impulse: without it, a mover that
+// pushes what hangs on its ground, or lies on it, would drive both ever faster.
+void push_body(World& world, const MoverDef& def, const Push& push, const Footing& footing,
+               Vec2 velocity, float dt) {
+    if (push.body == footing.body) return;
+    WorldData& data = MoverWorld::of(world);
+    const BodyRecord& record = data.bodies[push.body];
+    const BodyState& state = data.states[push.body];
+    const Vec2 arm = push.point - record.center;
+    const Vec2 moves = state.velocity + cross(state.angular_velocity, arm);
+    const float approach = -dot(push.normal, velocity - moves);
+    if (!(approach > 0.0f)) return;
+    float yields = 1.0f / max(def.mass, 1e-3f) + yielding(record, arm, push.normal);
+    if (footing.body != none) {
+        const BodyRecord& ground = data.bodies[footing.body];
+        yields += yielding(ground, footing.point - ground.center, push.normal);
+    }
+    const Vec2 impulse = -min(approach / yields, def.push_force * dt) * push.normal;
+    const auto push_at = [&](uint32_t body, Vec2 by, const Position& point) {
+        Body pushed = world.body(data.body_id(body));
+        pushed.apply_impulse(by, point);
+    };
+    push_at(push.body, impulse, push.point);
+    if (footing.body != none) push_at(footing.body, -impulse, footing.point);
+}
+
+void land_on(World& world, const MoverDef& def, const Footing& footing, Vec2 normal,
+             Vec2 velocity) {
+    const Vec2 ground = velocity_of(MoverWorld::of(world), footing);
+    take_momentum(world, def, footing, max(0.0f, dot(ground - velocity, normal)) * normal);
+}
+
+// What changes the velocity of the ground along its surface must change that of the mover, too.
+// Without it, a barrel would drive itself: the weight of the mover makes it roll, and it carries
+// the mover on.
+void hold_ground(World& world, const MoverDef& def, const MoverState& state) {
+    const WorldData& data = MoverWorld::of(world);
+    if (!world.is_valid(state.ground)) return;
+    const uint32_t body = data.forms[state.ground.index].body;
+    if (body == none || data.bodies[body].mobility != Mobility::dynamic) return;
+    const Footing footing = {body, state.position};
+    const Vec2 normal = state.ground_normal;
+    const Vec2 change = velocity_of(data, footing) +
+                        belt_velocity(data, state.ground.index, normal) - state.ground_velocity;
+    take_momentum(world, def, footing, change - dot(change, normal) * normal);
+}
+
+void press_on_ground(World& world, const MoverDef& def, const Footing& footing, uint32_t own) {
+    if (!(def.mass > 0.0f)) return;
+    const WorldData& data = MoverWorld::of(world);
+    // A force, not an impulse: a body much lighter than the mover would jump under it.
+    Body body = world.body(data.body_id(footing.body));
+    const Vec2 weight = def.mass * world.gravity();
+    const float share =
+        weight_share(data, footing.body, footing.point, normalized(weight), def.mass, own);
+    body.apply_force(bounded(share * weight, 1e12f), footing.point);
+}
+
+}  // namespace fettle::physics::detail
