@@ -7,6 +7,7 @@
 #include <mover/support.h>
 #include <world/world_data.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fettle::physics {
@@ -71,12 +72,16 @@ Footing footing_on(const Obstacles& obstacles, const std::optional<Plane>& groun
     return {obstacles[ground->obstacle].body, ground->point};
 }
 
-/// Tells the world how the body of a mover moved.
-void report_body(WorldData& data, BodyId body, uint32_t ground, Vec2 velocity) {
+/// Tells the world how the body of a mover moved. Returns true for its first move in this step.
+bool report_body(WorldData& data, BodyId body, uint32_t ground, Vec2 velocity) {
+    if (!data.is_valid(body)) return false;
     std::vector<MoverBody>& all = data.mover_bodies;
-    std::erase_if(all, [body](const MoverBody& each) { return each.body == body; });
-    if (!data.is_valid(body)) return;
-    all.push_back({body, ground != none ? data.body_id(ground) : BodyId{}, velocity});
+    auto own = std::lower_bound(all.begin(), all.end(), body.index, is_before);
+    const bool is_new = own == all.end() || own->body.index != body.index;
+    const bool is_first = is_new || own->old;
+    if (is_new) own = all.insert(own, MoverBody());
+    *own = {body, ground != none ? data.body_id(ground) : BodyId{}, velocity};
+    return is_first;
 }
 
 /// True for a body that hits the mover, whose body stops it.
@@ -92,10 +97,9 @@ bool is_hit(const WorldData& data, const Push& push, float skin) {
 /// its ground, what it pushes, and the ledges that it may be passing.
 void report_pairs(WorldData& data, BodyId body, const Footing& footing, const Moving& moving,
                   const Obstacles& obstacles, float skin) {
-    std::vector<MoverPair>& all = data.mover_pairs;
-    std::erase_if(all, [body](const MoverPair& each) { return each.mover == body; });
-    if (!data.is_valid(body)) return;
-    const auto add = [&](uint32_t other) { all.push_back({body, data.body_id(other)}); };
+    const auto add = [&](uint32_t other) {
+        data.mover_pairs.push_back({body, data.body_id(other)});
+    };
     if (footing.body != none) add(footing.body);
     for (const Push& push : moving.pushes)
         if (!is_hit(data, push, skin)) add(push.body);
@@ -299,9 +303,12 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     }
     state_.ground_velocity = moved.ground_velocity;
     const bool stands = ground && !obstacles[ground->obstacle].border && !moved.crushed;
-    report_body(data, def_.body, stands ? obstacles[ground->obstacle].body : none,
-                moved.velocity + moved.ground_velocity);
-    if (!moved.crushed) report_pairs(data, def_.body, footing, moving, obstacles, def_.skin);
+    const uint32_t carrier = stands ? obstacles[ground->obstacle].body : none;
+    const Vec2 next_velocity = moved.velocity + moved.ground_velocity;
+    if (own != 0 && !report_body(data, def_.body, carrier, next_velocity))
+        std::erase_if(data.mover_pairs, [&](auto& pair) { return pair.mover == def_.body; });
+    if (own != 0 && !moved.crushed)
+        report_pairs(data, def_.body, footing, moving, obstacles, def_.skin);
     if (dropped && !overlaps_dropped(world)) state_.dropped = {};
 
     for (const Push& push : moving.pushes) push_body(world, def_, push, footing, driven, dt);

@@ -29,11 +29,9 @@ constexpr float farthest = 1000.0f;
 /// What is known of the mover whose body this is; null if it is none of a mover.
 const MoverBody* mover_of(const WorldData& data, uint32_t body) {
     if (data.bodies[body].mobility != Mobility::kinematic) return nullptr;
-    const auto same = [&](const MoverBody& mover) {
-        return mover.body.index == body && mover.body == data.body_id(body);
-    };
-    const auto found = std::find_if(data.mover_bodies.begin(), data.mover_bodies.end(), same);
-    return found != data.mover_bodies.end() ? &*found : nullptr;
+    const std::vector<MoverBody>& all = data.mover_bodies;
+    const auto found = std::lower_bound(all.begin(), all.end(), body, is_before);
+    return found != all.end() && found->body == data.body_id(body) ? &*found : nullptr;
 }
 
 /// True if a corner of one can be flush with a side of the other throughout the step.

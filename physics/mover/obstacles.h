@@ -133,6 +133,10 @@ class Obstacles {
     float dt_ = 0.0f;        ///< s: the length of the step; 0: nothing moves
 };
 
+/// The order of the bodies of movers in a world.
+inline bool is_before(const MoverBody& mover, uint32_t body) {
+    return mover.body.index < body;
+}
 /// The angle by which a body turns in the step, rad.
 float turn_of(const BodyState& state, float dt);
 /// The motion of a point of a body in the step.

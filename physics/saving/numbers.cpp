@@ -219,8 +219,12 @@ void check_all(const WorldState& w) {
     for (size_t i = 0; i < w.joints.size(); ++i)
         if (w.joint_generations[i] != 0) check(w.joints[i], i);
     for (const FieldRecord& field : w.fields) check(field.def);
-    for (const MoverBody& mover : w.mover_bodies)
-        require(is_finite(mover.velocity), "the velocity of the mover of body", mover.body.index);
+    uint32_t last = 0;
+    for (const MoverBody& mover : w.mover_bodies) {
+        require(mover.body.index > last && is_finite(mover.velocity), "the mover of body",
+                mover.body.index);
+        last = mover.body.index;
+    }
     for (const Stay& stay : w.stays)
         require(stay.center.is_finite() && are_finite(stay.angle) && is_amount(stay.time) &&
                     is_amount(stay.far) && is_amount(stay.back) && is_amount(stay.fastest),

@@ -259,7 +259,7 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     WorldDef settings;
     bool filtered = false;  ///< a filter of the host may have rejected pairs that overlap
     std::vector<IgnoredPair> ignored_pairs;
-    std::vector<MoverBody> mover_bodies;             ///< that moved in this step or the last
+    std::vector<MoverBody> mover_bodies;             ///< of this step or the last, by slot
     std::vector<MoverPair> mover_pairs;              ///< of the moves before the next step
     std::vector<ContactUserData> contact_user_data;  ///< in the order of their pairs
     Strips strips;                                   ///< cuts of the last step
