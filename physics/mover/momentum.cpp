@@ -29,12 +29,6 @@ void take_momentum(World& world, const MoverDef& def, const Footing& footing, Ve
     body.apply_impulse(bounded(-impulse * direction, 1e12f), footing.point);
 }
 
-Vec2 velocity_of(const WorldData& data, const Footing& footing) {
-    const BodyState& state = data.states[footing.body];
-    const Vec2 arm = footing.point - data.bodies[footing.body].center;
-    return state.velocity + cross(state.angular_velocity, arm);
-}
-
 }  // namespace
 
 Vec2 belt_velocity(const WorldData& data, uint32_t shape, Vec2 normal) {
@@ -49,9 +43,8 @@ void push_body(World& world, const MoverDef& def, const Push& push, const Footin
     if (push.body == footing.body) return;
     WorldData& data = MoverWorld::of(world);
     const BodyRecord& record = data.bodies[push.body];
-    const BodyState& state = data.states[push.body];
     const Vec2 arm = push.point - record.center;
-    const Vec2 moves = state.velocity + cross(state.angular_velocity, arm);
+    const Vec2 moves = velocity_of(data, push.body, push.point);
     const float approach = -dot(push.normal, velocity - moves);
     if (!(approach > 0.0f)) return;
     float yields = 1.0f / max(def.mass, 1e-3f) + yielding(record, arm, push.normal);
@@ -70,7 +63,7 @@ void push_body(World& world, const MoverDef& def, const Push& push, const Footin
 
 void land_on(World& world, const MoverDef& def, const Footing& footing, Vec2 normal,
              Vec2 velocity) {
-    const Vec2 ground = velocity_of(MoverWorld::of(world), footing);
+    const Vec2 ground = velocity_of(MoverWorld::of(world), footing.body, footing.point);
     take_momentum(world, def, footing, max(0.0f, dot(ground - velocity, normal)) * normal);
 }
 
@@ -84,8 +77,10 @@ void hold_ground(World& world, const MoverDef& def, const MoverState& state) {
     if (body == none || data.bodies[body].mobility != Mobility::dynamic) return;
     const Footing footing = {body, state.position};
     const Vec2 normal = state.ground_normal;
-    const Vec2 change = velocity_of(data, footing) +
-                        belt_velocity(data, state.ground.index, normal) - state.ground_velocity;
+    const Vec2 change =
+        bounded(velocity_of(data, footing.body, footing.point) +
+                    belt_velocity(data, state.ground.index, normal) - state.ground_velocity,
+                1e6f);
     take_momentum(world, def, footing, change - dot(change, normal) * normal);
 }
 

@@ -72,37 +72,36 @@ Footing footing_on(const Obstacles& obstacles, const std::optional<Plane>& groun
     return {obstacles[ground->obstacle].body, ground->point};
 }
 
-/// Tells the world how the body of a mover moved. Returns true for its first move in this step.
-bool report_body(WorldData& data, BodyId body, uint32_t ground, Vec2 velocity) {
-    if (!data.is_valid(body)) return false;
-    std::vector<MoverBody>& all = data.mover_bodies;
-    auto own = std::lower_bound(all.begin(), all.end(), body.index, is_before);
-    const bool is_new = own == all.end() || own->body.index != body.index;
-    const bool is_first = is_new || own->old;
-    if (is_new) own = all.insert(own, MoverBody());
-    *own = {body, ground != none ? data.body_id(ground) : BodyId{}, velocity};
-    return is_first;
-}
-
 /// True for a body that hits the mover, whose body stops it.
 bool is_hit(const WorldData& data, const Push& push, float skin) {
     constexpr float fast = 0.5f;  // m/s
     if (push.separation < -0.5f * skin) return true;
-    const BodyState& state = data.states[push.body];
-    const Vec2 arm = push.point - data.bodies[push.body].center;
-    return dot(state.velocity + cross(state.angular_velocity, arm), push.normal) > fast;
+    return dot(velocity_of(data, push.body, push.point), push.normal) > fast;
+}
+
+/// Tells the world how the body of a mover moved.
+void report_body(WorldData& data, const MoverBody& made) {
+    std::vector<MoverBody>& all = data.mover_bodies;
+    const auto own = std::lower_bound(all.begin(), all.end(), made.body.index, is_before);
+    if (own == all.end() || own->body.index != made.body.index) {
+        all.insert(own, made);
+        return;
+    }
+    if (!own->old)  // it has moved in this step already
+        std::erase_if(data.mover_pairs, [&](auto& pair) { return pair.mover == made.body; });
+    *own = made;
 }
 
 /// Tells the world with which dynamic bodies the body of a mover has no contact in the next step:
 /// its ground, what it pushes, and the ledges that it may be passing.
-void report_pairs(WorldData& data, BodyId body, const Footing& footing, const Moving& moving,
-                  const Obstacles& obstacles, float skin) {
+void report_pairs(WorldData& data, const MoverDef& def, const Footing& footing,
+                  const Moving& moving, const Obstacles& obstacles) {
     const auto add = [&](uint32_t other) {
-        data.mover_pairs.push_back({body, data.body_id(other)});
+        data.mover_pairs.push_back({def.body, data.body_id(other)});
     };
     if (footing.body != none) add(footing.body);
     for (const Push& push : moving.pushes)
-        if (!is_hit(data, push, skin)) add(push.body);
+        if (!is_hit(data, push, def.skin)) add(push.body);
     obstacles.for_each_dynamic_ledge(add);
 }
 
@@ -302,13 +301,13 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         moved.velocity = kept_on_ground(data, obstacles, moving, relative, up);
     }
     state_.ground_velocity = moved.ground_velocity;
-    const bool stands = ground && !obstacles[ground->obstacle].border && !moved.crushed;
-    const uint32_t carrier = stands ? obstacles[ground->obstacle].body : none;
-    const Vec2 next_velocity = moved.velocity + moved.ground_velocity;
-    if (own != 0 && !report_body(data, def_.body, carrier, next_velocity))
-        std::erase_if(data.mover_pairs, [&](auto& pair) { return pair.mover == def_.body; });
-    if (own != 0 && !moved.crushed)
-        report_pairs(data, def_.body, footing, moving, obstacles, def_.skin);
+    if (own != 0 && data.bodies[own].mobility == Mobility::kinematic) {
+        MoverBody made = {def_.body, {}, moved.velocity + moved.ground_velocity};
+        const bool stands = ground && !moved.crushed && !obstacles[ground->obstacle].border;
+        if (stands) made.ground = data.body_id(obstacles[ground->obstacle].body);
+        report_body(data, made);
+        if (!moved.crushed) report_pairs(data, def_, footing, moving, obstacles);
+    }
     if (dropped && !overlaps_dropped(world)) state_.dropped = {};
 
     for (const Push& push : moving.pushes) push_body(world, def_, push, footing, driven, dt);

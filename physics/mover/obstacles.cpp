@@ -64,6 +64,11 @@ float turn_of(const BodyState& state, float dt) {
     return clamp(dt * state.angular_velocity, -1.5f, 1.5f);
 }
 
+Vec2 velocity_of(const WorldData& data, uint32_t body, const Position& point) {
+    const BodyState& state = data.states[body];
+    return state.velocity + cross(state.angular_velocity, point - data.bodies[body].center);
+}
+
 Vec2 motion_of(const WorldData& data, uint32_t body, const Position& point, float dt) {
     // The body of another mover that has not moved yet goes on as this mover wants, not as fast as
     // it was pushed out of something.
@@ -285,9 +290,7 @@ float Obstacles::most_push_out(const Plane& plane) const {
 Vec2 Obstacles::velocity_at(const Plane& plane) const {
     const Obstacle& obstacle = all_[plane.obstacle];
     if (!obstacle.dynamic) return dt_ > 0.0f ? (1.0f / dt_) * obstacle.shift : Vec2{};
-    const BodyState& state = data_.states[obstacle.body];
-    return state.velocity +
-           cross(state.angular_velocity, plane.point - data_.bodies[obstacle.body].center);
+    return velocity_of(data_, obstacle.body, plane.point);
 }
 
 void Obstacles::planes_at(const Position& position, float reach, uint32_t kept,

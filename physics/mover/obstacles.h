@@ -139,6 +139,8 @@ inline bool is_before(const MoverBody& mover, uint32_t body) {
 }
 /// The angle by which a body turns in the step, rad.
 float turn_of(const BodyState& state, float dt);
+/// The velocity of a point of a body, m/s.
+Vec2 velocity_of(const WorldData& data, uint32_t body, const Position& point);
 /// The motion of a point of a body in the step.
 Vec2 motion_of(const WorldData& data, uint32_t body, const Position& point, float dt);
 

@@ -165,7 +165,6 @@ Replay::Replay(std::span<const std::byte> recording) : data_(new Data) {
         chunk.content = std::span(data.bytes).subspan(at, chunk.content.size());
         data.steps += chunk.kind == ChunkKind::step;
     }
-    data.world.data_->self.replays = true;
     data.world.restore(data.chunks.front().content);
 }
 

@@ -132,8 +132,6 @@ void WorldData::replace_state(WorldState&& other) {
     for (const auto* list : {&body_generations, &shape_generations, &joint_generations})
         self.link->skip(*list);
     for (const FieldRecord& field : fields) self.link->skip({&field.generation, 1});
-    // A copy has no filter: the next step makes contacts of the pairs that the filter rejected.
-    if (filtered && !self.filter && !self.replays) search_all_pairs();
 }
 
 }  // namespace fettle::physics

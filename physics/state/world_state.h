@@ -257,7 +257,7 @@ struct ActiveLists {
 
 struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     WorldDef settings;
-    bool filtered = false;  ///< a filter of the host may have rejected pairs that overlap
+    bool filtered = false;  ///< the last step had a filter, which may have refused pairs
     std::vector<IgnoredPair> ignored_pairs;
     std::vector<MoverBody> mover_bodies;             ///< of this step or the last, by slot
     std::vector<MoverPair> mover_pairs;              ///< of the moves before the next step

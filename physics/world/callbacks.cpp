@@ -205,6 +205,14 @@ class ContactCallbacks {
         pairs.resize(kept);
     }
 
+    /// Disables the contacts of what movers push by themselves.
+    void skip_those_of_movers() {
+        for_each_mover_contact(world_, [this](uint32_t slot) {
+            if (world_.contacts[slot].awake_index != none)
+                skip_contact(world_.touching(), slot, Skipped::by_callback);
+        });
+    }
+
   private:
     /// Number of the ignored pair of a contact; the number of all pairs if it is not ignored.
     size_t ignored_pair_of(const ContactRecord& c) const {
@@ -375,14 +383,11 @@ class ContactCallbacks {
 }  // namespace
 
 void WorldData::call_contact_callbacks() {
-    for_each_mover_contact(*this, [&](uint32_t contact) {
-        if (contacts[contact].awake_index != none)
-            skip_contact(touching(), contact, Skipped::by_callback);
-    });
-    if (!self.has_contact_callbacks() && ignored_pairs.empty()) return;
+    if (!self.has_contact_callbacks() && ignored_pairs.empty() && mover_pairs.empty()) return;
     ContactCallbacks contact_callbacks(*this);
     contact_callbacks.mix_all();
     contact_callbacks.skip_ignored();
+    contact_callbacks.skip_those_of_movers();
     contact_callbacks.before_solve_all();
 }
 
@@ -394,7 +399,6 @@ void WorldData::end_moves() {
 }
 
 void WorldData::search_all_pairs() {
-    filtered = bool(self.filter);
     for (uint32_t shape = 4; shape < shapes.size(); ++shape)
         if (shape_generations[shape] != 0 && forms[shape].body != none) change<mark_moved>(shape);
 }

@@ -224,6 +224,8 @@ void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, 
 }
 
 void WorldData::begin_step() {
+    if (lacks_refused_pairs()) search_all_pairs();
+    filtered = bool(self.filter);
     detail::refresh(editing());
     clear_ended_contacts();
     std::swap(events, pending);

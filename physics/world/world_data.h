@@ -78,9 +78,12 @@ struct WorldData : WorldState, StepScratch {
         return detail::may_collide(*this, user_filter(), shape_a, shape_b);
     }
     void call_contact_callbacks();
-    /// The next step finds the pairs of all shapes again, for another filter.
+    /// A step finds the pairs of all shapes again.
     void search_all_pairs();
-    /// To be called when a step is over.
+    /// A copy has no filter, but its state has not the pairs that the filter refused.
+    bool lacks_refused_pairs() const { return filtered && !self.filter; }
+    /// The contacts of movers that `call_contact_callbacks` has skipped act again. To be called
+    /// when a step is over.
     void end_moves();
 
     // damage.cpp

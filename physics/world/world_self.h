@@ -40,7 +40,6 @@ struct WorldSelf {
     WorldLink* link = nullptr;  ///< null: a state without a world
     PairFilter filter;
     ContactCallback mix, before_solve;
-    bool replays = false;              ///< of a replay, which sets the filter after the state
     bool parallel_callbacks = false;   ///< these two are called on all threads of a step
     bool calling_in_parallel = false;  ///< they are being called so
     RefreshCallback refresh;
