@@ -14,11 +14,12 @@ void TimeMarks::add(TimeMark::Kind kind, const std::string& text) {
     // An error that comes in every frame of a step is one mark.
     for (const TimeMark& known : others_)
         if (known.kind == kind && known.step == step && known.text == mark.text) return;
-    if (others_.size() == most) {
+    if (others_.size() >= most) {
         const auto oldest = std::find_if(others_.begin(), others_.end(), [](const TimeMark& known) {
             return known.kind != TimeMark::Kind::bookmark;
         });
-        others_.erase(oldest == others_.end() ? others_.begin() : oldest);
+        if (oldest == others_.end()) return;  // bookmarks stay
+        others_.erase(oldest);
     }
     others_.push_back(mark);
 }
@@ -59,11 +60,11 @@ std::pair<std::string, std::int64_t> TimeMarks::bookmark(const std::string& name
         throw property::Error(property::ErrorKind::out_of_range,
                               "bookmark: step " + std::to_string(at) + " is not kept: those from " +
                                   std::to_string(first) + " to " + std::to_string(last) + " are");
+    if (!name.empty()) unbookmark(name);
     if (bookmarks().size() >= most)
         throw property::Error(property::ErrorKind::rejected,
                               "bookmark: there are " + std::to_string(most) +
                                   " bookmarks already; remove one with unbookmark");
-    if (!name.empty()) unbookmark(name);
     others_.push_back({TimeMark::Kind::bookmark, at, name.empty() ? new_name() : name});
     return {others_.back().text, at};
 }

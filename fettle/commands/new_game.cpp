@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -62,16 +63,16 @@ std::string template_problem(const std::string& name) {
            joined(names) + property::suggestion(name, names);
 }
 
-/// A part of an id: letters and digits of the name in lower case, the rest as dashes. A name with
-/// other letters, such as Greek ones, also gets a hash, so that two such names have different ids:
-/// the saves of a game lie under its id.
+/// A part of an id: letters and digits of the name in lower case, the rest as dashes. A name of
+/// which more than that changes also gets a hash, so that two such names have different ids: the
+/// saves of a game lie under its id.
 std::string id_of(const std::string& name) {
-    std::string id = dashed_name(name);
     constexpr std::size_t longest = 60;
-    id = id.empty() ? "game" : id.substr(0, longest);
-    const bool ascii =
-        std::ranges::all_of(name, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
-    return ascii ? id : id + "-" + property::text_hash_digits(name);
+    std::string id = dashed_name(name).substr(0, longest);
+    const bool unique = std::ranges::equal(
+        name, id, [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+    if (id.empty()) id = "game";
+    return unique ? id : id + "-" + property::text_hash_digits(name);
 }
 
 void replace_all(std::string& text, std::string_view what, const std::string& with) {

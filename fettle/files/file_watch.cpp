@@ -29,8 +29,11 @@ std::vector<std::filesystem::path> FileWatch::changed(
         known.pending = true;
         unsettled = true;
     }
-    // Files that are saved together are reported together.
-    if (unsettled) return {};
+    // Files that are saved together are reported together. A file that a tool writes all the time
+    // must not keep back the others.
+    constexpr int longest_wait = 10;
+    held_back_ = unsettled ? held_back_ + 1 : 0;
+    if (unsettled && held_back_ < longest_wait) return {};
     for (const std::filesystem::path& file : result) known_.at(file).pending = false;
     return result;
 }

@@ -17,8 +17,8 @@ class FileWatch {
     /// Whether it is time to look again.
     bool due() const { return Clock::now() >= next_; }
     /// Returns which of the files have changed since they were first passed here. A file that is
-    /// still being written is returned later: it must have stayed the same between two looks. Call
-    /// it when it is `due`.
+    /// still being written is returned later: it must have stayed the same between two looks. The
+    /// others wait for it, but not longer than ten looks. Call it when it is `due`.
     std::vector<std::filesystem::path> changed(const std::vector<std::filesystem::path>& files);
     /// Records the file as it is now: earlier changes of it are not returned.
     void mark_seen(const std::filesystem::path& file);
@@ -39,6 +39,7 @@ class FileWatch {
 
     std::map<std::filesystem::path, Known> known_;
     Clock::time_point next_{};
+    int held_back_ = 0;  // looks in which a file changed
 };
 
 }  // namespace fettle::program

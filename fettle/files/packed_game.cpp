@@ -15,18 +15,26 @@ namespace {
 
 /// Files that no game reads: those that Fettle and other programs make beside it, the sources of
 /// pictures and maps, and copies of editors.
-constexpr std::array never_packed{
-    std::string_view("*.tweaks.json"),   std::string_view("*.sqlite"),
-    std::string_view("*.sqlite-wal"),    std::string_view("*.sqlite-shm"),
-    std::string_view("*.deb"),           std::string_view("*.tar.gz"),
-    std::string_view("*.recording"),     std::string_view("*.psd"),
-    std::string_view("*.xcf"),           std::string_view("*.kra"),
-    std::string_view("*.ase"),           std::string_view("*.aseprite"),
-    std::string_view("*.blend"),         std::string_view("*.tiled-project"),
-    std::string_view("*.tiled-session"), std::string_view("*~"),
-    std::string_view("*.bak"),           std::string_view("*.orig"),
-    std::string_view("Thumbs.db"),       std::string_view("desktop.ini"),
-    std::string_view("__MACOSX")};
+constexpr std::array never_packed{std::string_view("*.sqlite"),
+                                  std::string_view("*.sqlite-wal"),
+                                  std::string_view("*.sqlite-shm"),
+                                  std::string_view("*.deb"),
+                                  std::string_view("*.tar.gz"),
+                                  std::string_view("*.recording"),
+                                  std::string_view("*.psd"),
+                                  std::string_view("*.xcf"),
+                                  std::string_view("*.kra"),
+                                  std::string_view("*.ase"),
+                                  std::string_view("*.aseprite"),
+                                  std::string_view("*.blend"),
+                                  std::string_view("*.tiled-project"),
+                                  std::string_view("*.tiled-session"),
+                                  std::string_view("*~"),
+                                  std::string_view("*.bak"),
+                                  std::string_view("*.orig"),
+                                  std::string_view("Thumbs.db"),
+                                  std::string_view("desktop.ini"),
+                                  std::string_view("__MACOSX")};
 
 /// `*` stands for any characters but a slash, `?` for one.
 bool matches(std::string_view pattern, std::string_view name) {
@@ -75,10 +83,15 @@ PackedGame packed_game(const fs::path& game, const std::vector<std::string>& exc
     const fs::path folder = folder_of(game);
     property::GameFiles reader;
     reader.stay_below(folder);
-    // A package begins with main.lua.
-    if (!fs::is_directory(game))
-        return {.files = {{"main.lua", reader.read(game)}}, .one_file = true};
     PackedGame packed;
+    if (!fs::is_directory(game)) {
+        // A package begins with main.lua, and the edits that were kept lie beside it.
+        packed.one_file = true;
+        packed.files["main.lua"] = reader.read(game);
+        const fs::path kept = fs::path(game).replace_extension(".tweaks.json");
+        if (fs::exists(kept)) packed.files["main.tweaks.json"] = reader.read(kept);
+        return packed;
+    }
     for (fs::recursive_directory_iterator it(folder), end; it != end; ++it) {
         const fs::path name = it->path().lexically_relative(folder);
         const bool is_folder = it->is_directory() && !it->is_symlink();

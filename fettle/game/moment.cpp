@@ -42,18 +42,6 @@ ArchiveFiles files_of(const fs::path& game) {
     return files;
 }
 
-/// The values that earlier runs have kept; the game reads them when it begins.
-void add_kept_tweaks(const fs::path& game, ArchiveFiles& files) {
-    if (!archive_of(game).empty()) return;
-    const fs::path main = fs::is_directory(game) ? game / "main.lua" : game;
-    const fs::path kept = fs::path(main).replace_extension(".tweaks.json");
-    std::error_code error;
-    if (!fs::is_regular_file(kept, error)) return;
-    property::GameFiles reader;
-    reader.stay_below(folder_of(game));
-    files["main.tweaks.json"] = reader.read(kept);
-}
-
 }  // namespace
 
 fs::path moment_file(const fs::path& player_folder, const std::string& name) {
@@ -79,7 +67,6 @@ fs::path moment_file(const fs::path& player_folder, const std::string& name) {
 void write_moment(const fs::path& file, const fs::path& game, const Moment& moment,
                   const std::string& recording) {
     ArchiveFiles files = files_of(game);
-    add_kept_tweaks(game, files);
     const nlohmann::json about{
         {"fettle", moment.fettle}, {"step", moment.step}, {"tweaks", moment.tweaks}};
     files[about_name] = about.dump(2) + "\n";

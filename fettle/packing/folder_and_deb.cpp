@@ -25,6 +25,25 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// As Debian calls the processor for which this program is compiled.
+#if defined(__x86_64__)
+constexpr std::string_view architecture = "amd64";
+#elif defined(__aarch64__)
+constexpr std::string_view architecture = "arm64";
+#elif defined(__i386__)
+constexpr std::string_view architecture = "i386";
+#elif defined(__arm__)
+constexpr std::string_view architecture = "armhf";
+#elif defined(__riscv)
+constexpr std::string_view architecture = "riscv64";
+#elif defined(__loongarch__)
+constexpr std::string_view architecture = "loong64";
+#elif defined(__s390x__)
+constexpr std::string_view architecture = "s390x";
+#else
+constexpr std::string_view architecture = "ppc64el";
+#endif
+
 /// The libraries in a package are those of this system, and need its libc or a newer one.
 std::string needed_libc() {
     std::array<char, 64> version{};  // "glibc 2.36"
@@ -205,18 +224,14 @@ void make_debian_package(const fs::path& to, const PackageFacts& facts, const Ar
                           "\nExec=/usr/games/" + facts.id +
                           (facts.icon.empty() ? "" : "\nIcon=" + place + "/game/" + facts.icon) +
                           "\nCategories=Game;\nTerminal=false\n");
-    std::string architecture = "amd64";
-#ifdef __aarch64__
-    architecture = "arm64";
-#endif
-    write_with_folder(root / "DEBIAN/control",
-                      "Package: " + facts.id + "\nVersion: " + facts.version +
-                          "\nArchitecture: " + architecture + "\nMaintainer: " + facts.maintainer +
-                          "\nSection: games\nPriority: optional\n"
-                          "Depends: " +
-                          needed_libc() +
-                          ", libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
-                          facts.name + "\n A game made with Fettle.\n");
+    write_with_folder(
+        root / "DEBIAN/control",
+        "Package: " + facts.id + "\nVersion: " + facts.version +
+            "\nArchitecture: " + std::string(architecture) + "\nMaintainer: " + facts.maintainer +
+            "\nSection: games\nPriority: optional\n"
+            "Depends: " +
+            needed_libc() + ", libstdc++6, libgl1, libx11-6, libgl1-mesa-dri\nDescription: " +
+            facts.name + "\n A game made with Fettle.\n");
     run_tool({"dpkg-deb", "--build", "--root-owner-group", "-Zgzip", root.string(), made.string()});
     fs::rename(made, to);
 }

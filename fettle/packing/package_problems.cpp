@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 
 #include <fettle/property/spelling.h>
 #include <fettle/property/storage/game_files.h>
@@ -92,6 +93,8 @@ std::vector<std::string> problems_of(const PackedGame& game, const std::vector<s
         const std::string ending = fs::path(file).extension().string();
         constexpr std::string_view data[] = {".json", ".tmj", ".tmx", ".tsj", ".tsx", ".tj", ".tx"};
         if (!script && std::ranges::find(data, ending) == std::end(data)) continue;
+        if (file.ends_with(".tweaks.json") && !nlohmann::json::accept(content))
+            problems.push_back(file + ": is not JSON, so the edits that were kept are lost");
         for (const LiteralName& name : script ? names_in_script(content) : names_in_data(content)) {
             if (name.written || std::ranges::find(made, name.name) != made.end()) continue;
             const std::string why = problem_of(name, file, script, names);

@@ -9,6 +9,7 @@
 
 #include <fettle/app/screen.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/text_hash.h>
 
 #include <ending/crash_report.h>
 #include <ending/end_request.h>
@@ -50,16 +51,24 @@ std::string lines_of(const script::ScriptError& error) {
 }
 
 /// The name of a recording of a test: letters and digits of the names of the file and of the test,
-/// and what is not ASCII; other characters as dashes.
+/// and what is not ASCII; other characters as dashes. If another test could have the same name, a
+/// hash of file and test follows.
 std::string file_name_of(const TestChoice& choice) {
+    constexpr std::size_t longest = 100;
+    const fs::path file = choice.file;
+    const std::string stem = file.stem().string();
+    bool unique = file.parent_path() == "tests";
     std::string name;
-    for (const char c : fs::path(choice.file).stem().string() + "-" + choice.name) {
+    for (const char c : stem + " " + choice.name) {
         const auto byte = static_cast<unsigned char>(c);
         const bool plain = std::isalnum(byte) != 0 || byte >= 0x80 || c == '_';
-        if (plain || (!name.empty() && name.back() != '-')) name += plain ? c : '-';
+        const bool parts = !plain && !name.empty() && name.back() != '-';
+        unique = unique && (plain || (c == ' ' && parts && name.size() >= stem.size()));
+        if (plain || parts) name += plain ? c : '-';
     }
-    constexpr std::size_t longest = 100;
-    return name.substr(0, longest);
+    if (unique && name.size() <= longest) return name;
+    return name.substr(0, longest) + "-" +
+           property::text_hash_digits(file.string() + "\n" + choice.name);
 }
 
 /// The folder for files of failed tests: beside the game, or one for temporary files.

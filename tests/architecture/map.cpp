@@ -20,8 +20,9 @@ bool is_path(const std::string& code) {
 
 bool mentions(const SourceFile& file, const std::string& name) {
     const std::regex word("\\b" + name + "\\b");
-    return std::ranges::any_of(
-        file.lines, [&](const std::string& line) { return std::regex_search(line, word); });
+    return std::ranges::any_of(file.lines, [&](const std::string& line) {
+        return line.find(name) != line.npos && std::regex_search(line, word);
+    });
 }
 
 bool exists(const SourceTree& tree, std::string path) {
@@ -57,6 +58,27 @@ Violations lost_functions(const SourceTree& tree, const std::string& text) {
         for (std::sregex_iterator one(names.begin(), names.end(), name); one != end; ++one)
             if (!mentions(file->second, (*one)[1]))
                 found.push_back(file->first + ": " + (*one)[1].str() + " is not in it");
+    }
+    return found;
+}
+
+Violations lost_members(const SourceTree& tree, const std::string& text) {
+    static const std::regex member("`(\\w+)::(\\w+)`");
+    Violations found;
+    for (std::sregex_iterator each(text.begin(), text.end(), member), end; each != end; ++each) {
+        const std::string type = (*each)[1], name = (*each)[2];
+        if (type == "std" || type == "sf" || type == "Fettle")
+            continue;  // libraries, targets of CMake
+        const std::regex definition("\\b(class|struct|enum|namespace)\\b.*\\b" + type + "\\b");
+        const bool any = std::ranges::any_of(tree.files(), [&](const auto& entry) {
+            return std::ranges::any_of(entry.second.lines,
+                                       [&](const std::string& line) {
+                                           return line.find(type) != line.npos &&
+                                                  std::regex_search(line, definition);
+                                       }) &&
+                   mentions(entry.second, name);
+        });
+        if (!any) found.push_back(type + "::" + name + ": no file has it");
     }
     return found;
 }

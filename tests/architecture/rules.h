@@ -32,6 +32,8 @@ Violations lost_paths(const SourceTree& tree, const std::string& text);
 /// A function whose file follows in brackets, "`collide` (`physics/collision/collide.cpp`)", is in
 /// that file.
 Violations lost_functions(const SourceTree& tree, const std::string& text);
+/// Names of the form `Type::member` in a document that no file defines.
+Violations lost_members(const SourceTree& tree, const std::string& text);
 
 /// Every room has a line in the text.
 Violations rooms_without_line(const std::string& text);

@@ -59,11 +59,14 @@ TEST_CASE("the map of the project names every room and only existing paths and f
     CHECK(listed(lost_functions(project(), map)) == "");
     CHECK(listed(rooms_without_line(map)) == "");
     for (const char* page :
-         {"app", "console", "glossary", "hosting-physics", "interface", "physics", "property-tree",
-          "scenes", "scripting", "solvers", "storage", "testing", "time", "visuals"}) {
+         {"app", "architecture", "console", "glossary", "hosting-physics", "interface", "maps",
+          "modules", "physics", "property-tree", "scenes", "scripting", "solvers", "sound",
+          "storage", "testing", "time", "visuals"}) {
         const std::string text = text_of("docs/design/" + std::string(page) + ".md");
+        INFO(page);
         CHECK(listed(lost_paths(project(), text)) == "");
         CHECK(listed(lost_functions(project(), text)) == "");
+        CHECK(listed(lost_members(project(), text)) == "");
     }
 }
 

@@ -245,6 +245,14 @@ TEST_CASE("a function in a document that is not in the file named behind it is r
     CHECK(lost_functions(tree, "`ste` (`physics/a.cpp`)").size() == 1);
 }
 
+TEST_CASE("a member in a document that no file has is reported") {
+    const SourceTree tree(std::map<std::string, std::string>{
+        {"physics/a.h", "class World {\n    void step();\n};"}, {"physics/b.h", "void stop();"}});
+    CHECK(lost_members(tree, "`World::step`, `std::vector` and `Fettle::physics`").empty());
+    CHECK(lost_members(tree, "`World::stop`") == Violations{"World::stop: no file has it"});
+    CHECK(lost_members(tree, "`Worlds::step`").size() == 1);
+}
+
 TEST_CASE("a file outside every part is reported") {
     CHECK(of(unknown_places, "framework/drawing/pen.cpp", "").size() == 1);
     CHECK(of(unknown_places, "tests/physics/friction.cpp", "").empty());

@@ -175,4 +175,16 @@ TEST_CASE("settings of an earlier run wait for their property") {
     CHECK(kept[0] == "audio.volume = 0.75");
 }
 
+TEST_CASE("a setting of an earlier run whose path leads to no property is void") {
+    Screen s;
+    s.interface.begin_with("audio", Value(1));
+    s.interface.begin_with("game.x.y", Value(1));
+    s.run("game.spot = vec(1, 2)");
+    s.interface.begin_with("game.spot.x", Value(5));
+    s.turn(2);
+    REQUIRE(s.problems.size() == 2);
+    CHECK(s.problems[0].find("expected the path of a property") != std::string::npos);
+    CHECK(s.get("game.spot").vec2() == Vec2(1, 2));
+}
+
 }  // namespace preference_test

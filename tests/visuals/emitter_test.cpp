@@ -275,4 +275,34 @@ TEST_CASE_METHOD(Sparks, "particles in a screen layer move in pixels") {
     CHECK(near(center(d), {100, 40}, 0.01));
 }
 
+TEST_CASE_METHOD(Sparks, "a particle is not drawn before it begins") {
+    const Handle e = emitter({{"rate", 0.0},
+                              {"position", Vec2(3, 0)},
+                              {"spread", 0.0},
+                              {"speed", 30.0},
+                              {"randomness", 0.0}});
+    step(1);
+    tree.call(e, "emit", {Value(4)});
+    step(1);
+    CHECK(count(e) == 4);
+    CHECK(draw({}, 0.25).empty());
+    CHECK(draw({}, 1).size() == 4);
+    step(1);
+    for (const Drawn& d : draw({}, 0.25)) CHECK(center(d).x > 3);
+}
+
+TEST_CASE_METHOD(Sparks, "particles begin at the emitter when it comes into the world") {
+    const Handle e = emitter({{"rate", 600.0},
+                              {"space", "local"},
+                              {"position", Vec2(50, 0)},
+                              {"speed", 0.0},
+                              {"randomness", 0.0}});
+    step(3);
+    tree.set(e, "space", Value("world"));
+    tree.call(e, "clear", {});
+    step(1);
+    REQUIRE(count(e) > 0);
+    for (const Drawn& d : draw()) CHECK(center(d).x > 49);
+}
+
 }  // namespace emitter_test

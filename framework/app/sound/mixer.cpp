@@ -44,10 +44,14 @@ Stereo Mixer::Playing::sample() {
     const double at = position * file_rate;
     const auto index = static_cast<std::uint64_t>(at);
     const auto share = static_cast<float>(at - std::floor(at));
+    // A sound that begins again goes from its last frame to its first one.
+    const std::uint64_t frames = state.samples ? state.samples->frames() : state.file->frames();
+    const bool turns = state.loops && index + 1 == frames;
     if (state.samples != nullptr)
-        return between(state.samples->frame(index), state.samples->frame(index + 1), share);
+        return between(state.samples->frame(index), state.samples->frame(turns ? 0 : index + 1),
+                       share);
     const Stereo first = reader->frame(index);
-    return between(first, reader->frame(index + 1), share);
+    return between(first, turns ? reader->first_frame() : reader->frame(index + 1), share);
 }
 
 void Mixer::Playing::advance() {

@@ -114,7 +114,7 @@ struct SoundReader::Decoder {
 };
 
 SoundReader::SoundReader(std::shared_ptr<const SoundFile> file)
-    : file_(std::move(file)), decoder_(std::make_unique<Decoder>()) {
+    : file_(std::move(file)), decoder_(std::make_unique<Decoder>()), end_(file_->frames()) {
     // It could be opened before, so this cannot fail.
     (void)decoder_->file.openFromMemory(file_->bytes().data(), file_->bytes().size());
     block_.rate = file_->rate();
@@ -124,8 +124,14 @@ SoundReader::SoundReader(std::shared_ptr<const SoundFile> file)
 SoundReader::~SoundReader() = default;
 
 Stereo SoundReader::frame(std::uint64_t index) {
+    if (index >= end_) return {};
     if (index < first_ || index >= first_ + count_) load(index);
     return block_.frame(index - first_);
+}
+
+Stereo SoundReader::first_frame() {
+    if (!start_) start_ = frame(0);
+    return *start_;
 }
 
 /// Reads the block that begins with the frame. The last frame of the block before stays, since
@@ -140,10 +146,6 @@ void SoundReader::load(std::uint64_t index) {
     } else {
         values.clear();
         first_ = next_ = index;
-        if (index >= file_->frames()) {
-            count_ = 0;
-            return;
-        }
         decoder_->file.seek(index * channels);
     }
     const std::size_t kept = values.size();
@@ -152,6 +154,8 @@ void SoundReader::load(std::uint64_t index) {
     values.resize(kept + static_cast<std::size_t>(read / channels) * channels);
     count_ = values.size() / channels;
     next_ = first_ + count_;
+    if (read < block_frames * channels) end_ = next_;
+    if (first_ == 0) start_ = block_.frame(0);
 }
 
 std::shared_ptr<const SoundFile> SoundFiles::get(const std::string& what, const std::string& name) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,7 @@ struct Stereo {
 struct Samples {
     unsigned rate = 0, channels = 0;
     std::vector<std::int16_t> values;
+    std::uint64_t frames() const { return values.size() / channels; }
     Stereo frame(std::uint64_t index) const;
 };
 
@@ -60,6 +62,7 @@ class SoundReader {
     ~SoundReader();
     /// Silence beyond the end. Fast if the frames are read in order.
     Stereo frame(std::uint64_t index);
+    Stereo first_frame();  ///< the same for a sound that begins again
 
   private:
     void load(std::uint64_t index);
@@ -69,6 +72,8 @@ class SoundReader {
     Samples block_;
     std::uint64_t first_ = 0, count_ = 0;  // frames in the block
     std::uint64_t next_ = 0;               // the frame that the decoder reads next
+    std::uint64_t end_;  // behind the last frame; a damaged file has fewer than it states
+    std::optional<Stereo> start_;
 };
 
 /// The sound files of a game. Each is read once.

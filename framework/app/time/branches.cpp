@@ -103,8 +103,8 @@ void Timeline::drop_branch(const std::string& limit) {
     const auto least =
         std::min_element(others_.begin(), others_.end(),
                          [&](const Other& a, const Other& b) { return rank(a) < rank(b); });
-    if (dropped_.size() == most_remembered) dropped_.erase(dropped_.begin());
-    dropped_[least->name] = limit;
+    if (dropped_.size() == most_remembered) dropped_.pop_front();
+    dropped_.emplace_back(least->name, limit);
     const bool tells = !least->by_script || !std::exchange(script_drop_told_, true);
     const std::string line = "branch \"" + least->name + "\" is dropped: " + limit +
                              (least->by_script ? " (the game goes back by itself; its further "
@@ -130,7 +130,9 @@ void Timeline::require_branch(const std::string& branch) const {
     if (branch == clock_.branch)
         throw property::Error(property::ErrorKind::unknown_name,
                               "the branch \"" + branch + "\" is the present one");
-    if (const auto dropped = dropped_.find(branch); dropped != dropped_.end())
+    const auto dropped = std::find_if(dropped_.rbegin(), dropped_.rend(),
+                                      [&](const auto& each) { return each.first == branch; });
+    if (dropped != dropped_.rend())
         throw property::Error(property::ErrorKind::unknown_name,
                               "the branch \"" + branch + "\" was dropped: " + dropped->second);
     std::vector<std::string> names;

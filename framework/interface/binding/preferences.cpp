@@ -65,11 +65,17 @@ void Preferences::store(const Place& place) {
         tree_->get(place.instance, *place.property));
 }
 
-void Preferences::prefer(const std::string& path, const Value& value) {
-    const Place place = property::resolve(*tree_, path);
+/// Throws property::Error for a path that is not that of a property.
+Place Preferences::place_of(const std::string& path) const {
+    Place place = property::resolve(*tree_, path);
     if (place.property == nullptr || !place.part.empty())
         throw Error(ErrorKind::rejected,
                     "\"" + path + "\": expected the path of a property, such as \"audio.volume\"");
+    return place;
+}
+
+void Preferences::prefer(const std::string& path, const Value& value) {
+    const Place place = place_of(path);
     const std::string whole =
         tree_->path(place.instance) + property::path_suffix(place.property->name);
     if (value.is_nil()) return put(whole, value);
@@ -128,7 +134,7 @@ void Preferences::restore_changed() {
 /// removed from the preferences.
 bool Preferences::write(const std::string& path, const Value& value) {
     try {
-        const Place place = property::resolve(*tree_, path);
+        const Place place = place_of(path);
         tree_->set(place.instance, *place.property, value);
     } catch (const Error& error) {
         if (error.kind() == ErrorKind::unknown_name || error.kind() == ErrorKind::deleted)

@@ -59,6 +59,7 @@ class Preferences : public property::Observer {
     void put(const std::string& path, const property::Value& value);
     void save();
     bool write(const std::string& path, const property::Value& value);
+    property::Place place_of(const std::string& path) const;
 
     property::Tree* tree_ = nullptr;
     std::weak_ptr<const property::Tree*> life_;

@@ -36,7 +36,7 @@ void change_list(Tree::State& s, Handle instance, const Property& property, Valu
                  std::int64_t grown, Write write, Report report) {
     const Node& node = s.instances.require(instance);
     std::optional<CellState> before = s.history.before_edit(instance, property);
-    // Only who waits for the change is told the value before. Keeping it makes a copy of the list.
+    // The value before is needed only if something watches the list: keeping it copies the list.
     const bool awaited = node.watched || property.shortcut.interest != 0;
     const Value old = awaited ? list : Value();
     write(list);

@@ -133,10 +133,17 @@ Existence Changes::deletion_notice_of(Handle handle, const Class& of, bool with_
     return gone;
 }
 
-void Changes::forget_fresh() {
+void Changes::forget_fresh(std::span<const QueueItem> batch) {
     for (const std::uint32_t index : queue.fresh) nodes[index].fresh = false;
     queue.fresh.clear();
     if (queue.fresh.capacity() > max_fresh_kept) queue.fresh.shrink_to_fit();
+    for (const QueueItem& item : batch) {
+        if (item.kind != QueueItem::Kind::created || !item.recipients.empty()) continue;
+        const Handle made = std::get<Existence>(item.what).instance;
+        if (nodes.find(made) == nullptr) continue;
+        nodes[made.index].fresh = true;
+        queue.fresh.push_back(made.index);
+    }
 }
 
 void Changes::queue_deletion_notice(Existence gone, bool only_own) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <span>
 #include <string>
 
 #include <instances/instances.h>
@@ -84,8 +85,9 @@ struct Changes {
     bool needs_deletion_notice(Handle handle, const Class& of, bool only_own) const;
     /// The record that watchers of the deletion receive. Its cause is not known yet.
     Existence deletion_notice_of(Handle handle, const Class& of, bool with_values) const;
-    /// Marks all instances as old: the watchers of their classes have been notified of them.
-    void forget_fresh();
+    /// Marks all instances as old: the watchers of their classes have been notified of them, but
+    /// for those whose creation `batch` contains.
+    void forget_fresh(std::span<const QueueItem> batch = {});
     void compare_shadows();
 
     // shadowing.cpp: which cells are compared

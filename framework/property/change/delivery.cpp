@@ -158,6 +158,7 @@ void Changes::deliver_one(QueueItem& item) {
             if (nodes.find(existence.instance) == nullptr) return;
             existence.path = tree.path(existence.instance);
             if (!item.recipients.empty()) return deliver_to(item, existence);
+            nodes[existence.instance.index].fresh = false;
             return to_all(watchers.of_creation(*existence.instance_class, item.until), existence);
         }
         case QueueItem::Kind::deleted:

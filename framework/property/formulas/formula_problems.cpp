@@ -1,6 +1,7 @@
 // Errors of formulas, their reports, and explanations of computed values.
 
 #include <algorithm>
+#include <cctype>
 #include <unordered_set>
 #include <utility>
 
@@ -12,12 +13,38 @@
 namespace fettle::property {
 namespace {
 
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 /// The text without its numbers. Two errors that differ only in numbers count as the same error: a
-/// formula may print its current value, which differs in each step.
+/// formula may print its current value, which differs in each step. Numbers of lines (":5:") and in
+/// names ("ball_2") stay.
 std::string without_numbers(std::string_view text) {
     std::string rest;
-    for (const char c : text)
-        if (std::string_view("0123456789.+-e").find(c) == std::string_view::npos) rest += c;
+    const auto is_part = [&](std::size_t i) {
+        return is_digit(text[i]) || text[i] == '.' ||
+               ((text[i] == '-' || text[i] == '+') && i > 0 && text[i - 1] == 'e') ||
+               (text[i] == 'e' && i + 1 < text.size() &&
+                (is_digit(text[i + 1]) || text[i + 1] == '-' || text[i + 1] == '+'));
+    };
+    for (std::size_t i = 0; i < text.size();) {
+        const bool in_name =
+            !rest.empty() &&
+            (std::isalnum(static_cast<unsigned char>(rest.back())) || rest.back() == '_');
+        if (!is_digit(text[i]) || in_name) {
+            rest += text[i++];
+            continue;
+        }
+        std::size_t end = i;
+        while (end < text.size() && is_part(end)) ++end;
+        const bool is_line = i > 0 && text[i - 1] == ':' && end < text.size() && text[end] == ':';
+        if (is_line)
+            rest += text.substr(i, end - i);
+        else if (rest.ends_with('-'))
+            rest.pop_back();
+        i = end;
+    }
     return rest;
 }
 
@@ -42,9 +69,11 @@ void Formulas::report_problems() {
             reported_.erase(e->cell);
             continue;
         }
+        // Formulas in a circle fail by themselves and by each other in turn.
+        if (e->cycle.empty() && fails_by_another(*e)) continue;
         std::string problem = without_numbers(e->error);
         if (std::exchange(reported_[e->cell], problem) == problem) continue;
-        if (e->cycle.empty() ? fails_by_another(*e) : !circles.insert(e->error).second) continue;
+        if (!e->cycle.empty() && !circles.insert(e->error).second) continue;
         new_problems.push_back({e->instance, tree_.path(e->instance, *e->property), e->error});
     }
     for (const FormulaProblem& problem : new_problems)

@@ -69,8 +69,8 @@ bool find_changes(Tree::State& s, bool stepped) {
 void deliver_all(Tree::State& s, std::exception_ptr& first_error) {
     Queue& queue = s.changes.queue;
     s.changes.report_plain_writes();
-    s.changes.forget_fresh();
-    if (!find_changes(s, s.changes.stepped) || queue.items.empty()) return;
+    if (!find_changes(s, s.changes.stepped)) return;
+    if (queue.items.empty()) return s.changes.forget_fresh();
 
     const Delivering delivering(s.changes);
     Generations generations;
@@ -78,6 +78,7 @@ void deliver_all(Tree::State& s, std::exception_ptr& first_error) {
         if (generations.size() == max_generations) return refuse_overrun(s.changes, generations);
         std::vector<QueueItem>& batch = generations.emplace_back(std::move(queue.items));
         queue.clear();
+        s.changes.forget_fresh(batch);
         for (std::size_t i = 0; i < batch.size(); ++i) {
             queue.item = static_cast<std::ptrdiff_t>(i);
             s.changes.deliver(batch[i], first_error);

@@ -1,5 +1,6 @@
 #include <pthread.h>
 #include <signal.h>
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -17,7 +18,11 @@ namespace fettle::script {
 
 namespace {
 
-constexpr std::chrono::milliseconds tick{100};
+/// The interval at which calls are looked at, s: a call is stopped at most about a quarter of its
+/// limit late, and the thread that looks needs little time.
+double tick_for(double limit) {
+    return std::clamp(0.25 * limit, 0.001, 0.1);
+}
 
 // This signal is ignored by default, and few programs use it.
 constexpr int signal_number = SIGURG;
@@ -35,7 +40,8 @@ void on_signal(int) {
 
 /// The thread that reads the watchdog's counters.
 struct Watchdog::Thread {
-    explicit Thread(Watchdog& of) : watchdog(of), limit(of.limit_), runner([this] { run(); }) {}
+    explicit Thread(Watchdog& of)
+        : watchdog(of), limit(of.limit_), tick(tick_for(limit)), runner([this] { run(); }) {}
     ~Thread() {
         {
             const std::lock_guard lock(mutex);
@@ -53,9 +59,7 @@ struct Watchdog::Thread {
         std::unique_lock lock(mutex);
         while (!wake.wait_for(lock, tick, [this] { return ends; })) {
             const std::uint64_t now = watchdog.serial_.load(std::memory_order_acquire);
-            seconds = now == seen && now % 2 == 1
-                          ? seconds + std::chrono::duration<double>(tick).count()
-                          : 0;
+            seconds = now == seen && now % 2 == 1 ? seconds + tick.count() : 0;
             seen = now;
             if (seconds < limit || now % 2 == 0) continue;
             watchdog.seconds_.store(seconds, std::memory_order_relaxed);
@@ -65,7 +69,8 @@ struct Watchdog::Thread {
     }
 
     Watchdog& watchdog;
-    const double limit;
+    const double limit;  // s
+    const std::chrono::duration<double> tick;
     std::mutex mutex;
     std::condition_variable wake;
     bool ends = false;

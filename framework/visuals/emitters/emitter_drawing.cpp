@@ -80,7 +80,8 @@ void Emitters::draw(Row& row, property::Painter& painter, double alpha) {
     // The picture shows a time between the last two steps: the particles are moved back to it.
     const auto back = static_cast<float>((alpha - 1) * row.state.last_dt);
     for (const Particle& p : row.particles) {
-        const float age = std::max(0.0f, p.age + back);
+        const float age = p.age + back;
+        if (age < 0.0f) continue;  // it begins after the time of the picture
         const auto part = static_cast<std::size_t>(
             std::min(static_cast<float>(parts), age / p.lifetime * static_cast<float>(parts)));
         const double half = 0.5 * sizes[part] * static_cast<double>(p.size);

@@ -73,8 +73,10 @@ Motion Emitters::motion_of(const Row& row) const {
 Birth Emitters::birth_of(const Row& row, const Transform& now, bool on_screen) const {
     const Reader read(*tree_, row.state.self);
     Birth birth;
-    birth.to = now;
-    birth.from = row.state.placed ? row.state.at : now;
+    // Particles that move with the emitter are in its coordinates.
+    const bool in_world = read.value(of_.space).text() == "world";
+    if (in_world) birth.to = now;
+    birth.from = in_world && row.state.placed ? row.state.at : birth.to;
     birth.shape =
         static_cast<EmitterShape>(of_.shape->enumerator_index(read.value(of_.shape).text()));
     birth.area = read.vec2(of_.area);
@@ -95,10 +97,8 @@ void Emitters::advance(Row& row, double dt) {
     visuals::advance(row.particles, motion, dt);
     state.last_dt = dt;
     const bool screen = on_screen(state.self);
-    // Particles that move with the emitter are in its coordinates.
-    Transform now;
-    if (read.value(of_.space).text() == "world")
-        now = property::place_below(*tree_, state.self, screen, 1).value_or(Transform());
+    const Transform now =
+        property::place_below(*tree_, state.self, screen, 1).value_or(Transform());
     const bool playing = read.flag(of_.playing);
     std::size_t at_once = std::exchange(state.wanted, 0);
     double due = 0;
@@ -146,7 +146,10 @@ void Emitters::step(double dt) {
         if (!row.state.self) continue;
         (void)sheet_of(row);  // reports a missing file also if nothing is drawn
         // A detached emitter is not in the game yet.
-        if (tree_->parent(row.state.self)) advance(row, dt);
+        if (tree_->parent(row.state.self))
+            advance(row, dt);
+        else
+            row.state.placed = false;  // it may come back at another place
     }
 }
 

@@ -186,4 +186,17 @@ TEST_CASE("the sounds to be heard change while another thread makes the samples"
     CHECK(mixer.size() < 100);
 }
 
+TEST_CASE("a sound that loops has no gap where it begins again") {
+    // A constant level: a gap would be a drop of it.
+    const std::string hum = wave_file(0.1, 1, 8000, [](unsigned, double) { return 0.5; });
+    for (AudibleVoice heard : {sound(hum), music(hum)}) {
+        Mixer mixer;
+        heard.loops = true;
+        mixer.set_voices({heard});
+        const Signal all = mixed(mixer, 0.5);
+        const auto quietest = std::min_element(all.left.begin() + 1000, all.left.end());
+        CHECK(*quietest > 0.45f);
+    }
+}
+
 }  // namespace mixer_test

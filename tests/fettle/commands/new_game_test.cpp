@@ -22,7 +22,7 @@ TEST_CASE("a game of every template runs and passes its tests") {
     REQUIRE(made.status == 0);
     const std::string settings = folder.text("My \"Game\" 2/game.json");
     CHECK(contains(settings, R"("name": "My \"Game\" 2")"));
-    CHECK(contains(settings, R"("id": "org.example.my-game-2")"));
+    CHECK(contains(settings, R"("id": "org.example.my-game-2-)"));
     CHECK(contains(folder.text("My \"Game\" 2/.editor/fettle.lua"), "---@class Body"));
     CHECK(contains(folder.text("My \"Game\" 2/.luarc.json"), ".editor"));
     const Outcome run = fettle(folder, {"run", game, "--headless", "--steps", "600"});
@@ -65,18 +65,21 @@ TEST_CASE("a name with a line break is refused and nothing is made") {
     CHECK_FALSE(std::filesystem::exists(folder / "a\nb"));
 }
 
-TEST_CASE("names in other letters get different ids") {
+TEST_CASE("different names get different ids") {
     const Folder folder;
     std::set<std::string> ids;
-    for (const char* name : {"\u00e9", "\u00e8", "caf\u00e9", "cafe"}) {
+    const std::vector<std::string> names = {"\u00e9",  "\u00e8",  "caf\u00e9", "cafe",
+                                            "my game", "my-game", "my_game",   "My Game!"};
+    for (const std::string& name : names) {
         CHECK(fettle(folder, {"new", (folder / name).string()}).status == 0);
-        const std::string settings = folder.text(std::string(name) + "/game.json");
+        const std::string settings = folder.text(name + "/game.json");
         const std::size_t at = settings.find("org.example.");
         REQUIRE(at != std::string::npos);
         ids.insert(settings.substr(at, settings.find('"', at) - at));
     }
-    CHECK(ids.size() == 4);
+    CHECK(ids.size() == names.size());
     CHECK(ids.contains("org.example.cafe"));
+    CHECK(ids.contains("org.example.my-game"));
 }
 
 TEST_CASE("a new game overwrites nothing") {

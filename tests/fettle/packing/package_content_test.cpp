@@ -174,4 +174,40 @@ TEST_CASE("settings in a file of another case or behind a broken link are an err
                    "game.json:2:9: icon: expected an image (.png, .jpg, .jpeg, .bmp or .tga)"));
 }
 
+TEST_CASE("a packed game has the edits that were kept") {
+    const Folder folder;
+    folder.write("game/main.lua", "world.ball = Body { mass = 2 }");
+    REQUIRE(fettle(folder, {"run", (folder / "game").string(), "--headless", "--steps", "3",
+                            "--console", "1:world.ball.mass = 5", "--console", "2:keep('**')"})
+                .status == 0);
+    REQUIRE(std::filesystem::exists(folder / "game/main.tweaks.json"));
+    const Outcome made = package(folder, "--file", "game.fettle");
+    INFO(made.out << made.err);
+    REQUIRE(made.status == 0);
+    const Outcome run = fettle(folder, {"run", (folder / "game.fettle").string(), "--headless",
+                                        "--steps", "3", "--at", "2:print(world.ball.mass)"});
+    INFO(run.out << run.err);
+    CHECK(contains(run.out, "5"));
+}
+
+TEST_CASE("a packed game of one file has the edits that were kept, which must be JSON") {
+    const Folder folder;
+    folder.write("solo.lua", "world.ball = Body { mass = 2 }");
+    folder.write("solo.tweaks.json", R"({"fettle_tweaks": 1, "values": {"world.ball.mass": 5}})");
+    const auto pack = [&] {
+        return fettle(folder, {"package", (folder / "solo.lua").string(), "--file",
+                               (folder / "solo.fettle").string()});
+    };
+    REQUIRE(pack().status == 0);
+    const Outcome run = fettle(folder, {"run", (folder / "solo.fettle").string(), "--headless",
+                                        "--steps", "3", "--at", "2:print(world.ball.mass)"});
+    INFO(run.out << run.err);
+    CHECK(contains(run.out, "5"));
+    folder.write("solo.tweaks.json", R"({"fettle_tweaks": 1, "values": )");
+    const Outcome broken = pack();
+    INFO(broken.out << broken.err);
+    CHECK(broken.status != 0);
+    CHECK(contains(broken.err, "main.tweaks.json: is not JSON"));
+}
+
 }  // namespace package_content_test

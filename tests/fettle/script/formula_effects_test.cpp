@@ -214,4 +214,48 @@ function step() if time.step == 20 then print(world.b.velocity, world.b:problem(
           "call apply_impulse\n");
 }
 
+TEST_CASE("a cycle of formulas over values of the simulation is not reported in each step") {
+    const Folder folder;
+    folder.write("main.lua",
+                 "world.box = Body { position = vec(4, 3), Box {} }\n"
+                 "world.foe = Body { position = vec(0, 3), Box {}, angular_velocity = 1 }\n"
+                 "world.box.position = formula(function() return world.foe.position end)\n"
+                 "world.foe.position = formula(function() return world.box.position end)\n");
+    const Outcome run =
+        fettle(folder, {"run", (folder / "main.lua").string(), "--headless", "--steps", "60"});
+    std::size_t lines = 0;
+    for (const std::string& text : {run.out, run.err})
+        for (std::size_t at = text.find("depends on itself"); at != std::string::npos;
+             at = text.find("depends on itself", at + 1))
+            ++lines;
+    INFO(run.out << run.err);
+    CHECK(lines >= 1);
+    CHECK(lines <= 2);
+}
+
+TEST_CASE("an error of a formula that moves to another line or name is reported again") {
+    const Folder folder;
+    folder.write("main.lua",
+                 "world.n = 0\n"
+                 "world.a = formula(function()\n"
+                 "    if world.n == 1 then return world.q1.x end\n"
+                 "    if world.n == 2 then return world.q2.x end\n"
+                 "    error('value ' .. world.n * -1.5e10)\n"
+                 "end)\n"
+                 "function step() world.n = time.step // 10 end\n");
+    const Outcome run =
+        fettle(folder, {"run", (folder / "main.lua").string(), "--headless", "--steps", "80"});
+    INFO(run.out << run.err);
+    const std::string all = run.out + run.err;
+    const auto count = [&](const std::string& what) {
+        std::size_t n = 0;
+        for (std::size_t at = all.find(what); at != std::string::npos; at = all.find(what, at + 1))
+            ++n;
+        return n;
+    };
+    CHECK(count("main.lua:3:") >= 1);
+    CHECK(count("main.lua:4:") >= 1);
+    CHECK(count("main.lua:5: value") <= 3);
+}
+
 }  // namespace formula_effects_test

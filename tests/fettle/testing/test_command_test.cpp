@@ -431,4 +431,18 @@ end)
               .out == "mine\t1\nother\t1\n");
 }
 
+TEST_CASE("tests with similar names have recordings of their own") {
+    const Folder folder;
+    folder.write("main.lua", "");
+    folder.write("tests/hero.lua", "test('jumps!', function() error('x') end)");
+    folder.write("tests/hard/hero.lua", "test('jumps?', function() end)");
+    const Outcome run = fettle(folder, {"test", (folder / "").string()});
+    INFO(run.out << run.err);
+    CHECK(run.status == 1);
+    const std::size_t at = run.out.find("--replay ");
+    REQUIRE(at != std::string::npos);
+    const std::size_t end = run.out.find('\n', at);
+    CHECK(std::filesystem::exists(run.out.substr(at + 9, end - at - 9)));
+}
+
 }  // namespace test_command_test

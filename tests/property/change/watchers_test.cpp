@@ -346,4 +346,34 @@ TEST_CASE_METHOD(
     CHECK(log == Log{"own world.brief", "deleted"});
 }
 
+TEST_CASE_METHOD(Fixture,
+                 "what a handler makes is reported when it is deleted, as when it is made") {
+    tree.watch_created(*module.type, [&](const Existence& e) {
+        log.push_back("created");
+        if (log.size() < 5) tree.destroy(e.instance);
+    });
+    tree.watch_deleted(*module.type, [&](const Existence&) {
+        log.push_back("deleted");
+        if (log.size() == 2) tree.create(*module.type, world, "again");
+    });
+    tree.create(*module.type, world, "brief");
+    tree.barrier();
+    CHECK(log == Log{"created", "deleted", "created", "deleted"});
+}
+
+TEST_CASE_METHOD(Fixture,
+                 "an instance that is deleted before its creation is reported is not reported") {
+    Handle second = {};
+    tree.watch_created(*module.type, [&](const Existence& e) {
+        log.push_back("created " + e.path);
+        tree.destroy(second);
+    });
+    tree.watch_deleted(*module.type,
+                       [&](const Existence& e) { log.push_back("deleted " + e.path); });
+    tree.create(*module.type, world, "first");
+    second = tree.create(*module.type, world, "second");
+    tree.barrier();
+    CHECK(log == Log{"created world.first"});
+}
+
 }  // namespace watchers_test

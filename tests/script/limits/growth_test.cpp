@@ -19,7 +19,7 @@ constexpr bool slowly = false;
 
 fettle::script::Options small_memory() {
     fettle::script::Options options;
-    options.console_memory = std::size_t{8} << 20;
+    options.console_memory = std::size_t{2} << 20;
     return options;
 }
 
@@ -53,7 +53,7 @@ TEST_CASE(
     CHECK_FALSE(e.ok);
     REQUIRE(e.error);
     CHECK_THAT(e.error->message,
-               starts_with("console:1: stopped: it needs more memory than a command may use, 8 MB; "
+               starts_with("console:1: stopped: it needs more memory than a command may use, 2 MB; "
                            "it made "));
     // None of the created instances is left.
     CHECK(s.tree->size() == before);

@@ -12,7 +12,7 @@ using stage::starts_with;
 
 namespace {
 
-constexpr double patience = 0.1;  // s: the loops in these tests run longer on any machine
+constexpr double patience = 0.03;  // s: the loops in these tests run longer on any machine
 
 }  // namespace
 
@@ -41,7 +41,7 @@ TEST_CASE("an endless loop in a game is stopped if the host does not extend its 
     CHECK(s.errors.front().line == 2);
     CHECK(s.errors.front().source_line != "");
     // The game continues, and calls that return in time are not stopped.
-    CHECK(s.prints("local n = 0 for i = 1, 1000000 do n = n + 1 end print(n)") == "1000000");
+    CHECK(s.prints("local n = 0 for i = 1, 10000 do n = n + 1 end print(n)") == "10000");
     CHECK(s.console("1 + 1") == "2");
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("calls are limited only if the host requests it", "[long]") {
     Stage s;
     s.runtime->limit_calls(patience, {});
     s.runtime->limit_calls(0, {});
-    s.run("local t = os.clock() while os.clock() - t < 0.5 do end");
+    s.run("local t = os.clock() while os.clock() - t < 0.2 do end");
     CHECK(s.errors.empty());
 }
 

@@ -145,4 +145,31 @@ TEST_CASE("a part that the file of kept tweaks moves stays its own when a script
           std::string::npos);
 }
 
+TEST_CASE("the function for warnings may keep tweaks while kept ones are applied") {
+    const GameFolder folder;
+    const std::string section = GENERATE(
+        as<std::string>{},
+        R"("values": {"world.a.number": "no number", "world.b.number": "none", "world.c.numbr": 1})",
+        R"("values": {"world.nobody.number": 1, "world.noone.number": 2})",
+        R"("deleted": ["world.nobody", "world.noone"])",
+        R"("moved": {"world.nobody": "world.a", "world.noone": "world.b"})",
+        R"("created": {"world.nobody.x": {"class": "Nothing"}, "world.noone.y": {"class": "No"}})");
+    CAPTURE(section);
+    folder.write("main.tweaks.json", "{\"fettle_tweaks\": 1, " + section + "}");
+    SceneWorld scene;
+    for (const char* name : {"a", "b", "c"}) scene.add("Thing", name);
+    std::unique_ptr<Tweaks> tweaks;
+    std::vector<std::string> reported;
+    tweaks = std::make_unique<Tweaks>(scene.tree, folder.path(), [&](const std::string& text) {
+        reported.push_back(text);
+        if (tweaks) (void)tweaks->keep("**");
+    });
+    {
+        const Tree::CauseScope scope(scene.tree, Writer::console);
+        scene.tree.set(scene.tree.child(scene.world, "c"), "number", 3.0);
+    }
+    tweaks->game_loaded();
+    CHECK(reported.size() >= 2);
+}
+
 }  // namespace kept_names_test

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -268,10 +267,10 @@ class Timeline {
     std::unique_ptr<Packer> packer_;
     std::deque<Keyframe> keyframes_;
     Steps steps_;
-    std::vector<Other> others_;                   // in the order in which they were left
-    bool named_ = false;                          // the present branch, by a person
-    std::size_t last_name_ = 1;                   // the number of the last branch
-    std::map<std::string, std::string> dropped_;  // some dropped branches, and why
+    std::vector<Other> others_;  // in the order in which they were left
+    bool named_ = false;         // the present branch, by a person
+    std::size_t last_name_ = 1;  // the number of the last branch
+    std::deque<std::pair<std::string, std::string>> dropped_;  // the last ones, and why
     bool script_drop_told_ = false;
     std::function<void(const std::string& line)> told_dropped_;
     Step tail_;  // after the newest step, while the tree is at an earlier one; `before` only

@@ -109,17 +109,16 @@ bool GameFiles::exists(const Path& file) {
 
 void GameFiles::write(const Path& file, std::string_view content) {
     const Path found = checked(file, true);
-    if (writable_) {
-        if (content.size() > *writable_)
-            throw FileError(file,
-                            "was not written: this game has used the space on the disk that "
-                            "it may use");
-        *writable_ -= content.size();
+    if (writable_ && content.size() > *writable_)
+        throw FileError(file, "was not written: this game has written as much as it may in a run");
+    if (in_memory_) {
+        put(file, std::string(content));
+    } else {
+        note_overwritten(file);
+        replace_file(found, content);
     }
-    if (in_memory_) return put(file, std::string(content));
-    note_overwritten(file);
-    replace_file(found, content);
-    if (on_write_) on_write_(file);
+    if (writable_) *writable_ -= content.size();
+    if (!in_memory_ && on_write_) on_write_(file);
 }
 
 void GameFiles::put(const Path& file, std::optional<std::string> content) {

@@ -236,11 +236,15 @@ TweakReport Tweaks::State::keep(std::string_view pattern, bool for_all) {
 }
 
 TweakReport Tweaks::keep(std::string_view pattern) {
-    return usable().keep(pattern, false);
+    TweakReport report = usable().keep(pattern, false);
+    state_->give_warnings();
+    return report;
 }
 
 TweakReport Tweaks::keep_for_all(std::string_view pattern) {
-    return usable().keep(pattern, true);
+    TweakReport report = usable().keep(pattern, true);
+    state_->give_warnings();
+    return report;
 }
 
 std::size_t Tweaks::State::others_of_scene(const fs::path& file,

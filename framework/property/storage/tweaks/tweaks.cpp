@@ -18,14 +18,6 @@ namespace fettle::property {
 
 namespace {
 
-std::vector<std::string> names_in(const std::string& path) {
-    std::vector<std::string> names;
-    for (const Segment& segment : parse_path(path))
-        names.push_back(segment.is_index() ? std::to_string(std::get<std::int64_t>(segment.key))
-                                           : std::get<std::string>(segment.key));
-    return names;
-}
-
 /// Makes `files` stay below the folder, and returns it. Must be called before the first file is
 /// read.
 GameFiles& limit_to_folder(GameFiles& files, const std::filesystem::path& folder) {
@@ -41,44 +33,25 @@ std::int64_t seconds_now() {
 
 }  // namespace
 
-std::string path_of(const JournalRow& row) {
-    if (row.kind != JournalRow::Kind::value) return row.instance;
-    return path_below(row.instance, row.property);
-}
-
-// --- Patterns
-
-TweakPattern::TweakPattern(std::string_view text)
-    : pattern_(text), whole_instances_(text.find('*') == std::string_view::npos) {}
-
-bool TweakPattern::matches(const JournalRow& row) const {
-    std::vector<std::string> names = names_in(path_of(row));
-    while (!names.empty()) {
-        if (pattern_.matches(names)) return true;
-        if (!whole_instances_) return false;
-        names.pop_back();
-    }
-    return pattern_.text() == "game";
-}
-
 // --- Construction
 
-Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal::Warn its_warn,
+Tweaks::State::State(Tree& its_tree, const std::filesystem::path& game, Journal::Warn its_sink,
                      TweakOptions options)
     : tree(its_tree),
       tree_life(its_tree.lifetime()),
       folder(game_folder(game)),
-      warn(std::move(its_warn)),
+      sink(std::move(its_sink)),
       not_kept_because(std::move(options.not_kept_because)),
       files(options.files != nullptr ? *options.files : limit_to_folder(own_files, folder)),
-      kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"), warn) {
+      kept(its_tree, files, folder / (game_name(game) + ".tweaks.json"),
+           [this](const std::string& text) { warn(text); }) {
     if (options.earlier) {
         std::vector<JournalRow> rows;
         for (const TweakWords& words : *options.earlier) rows.push_back(row_of(words));
         take_earlier(std::move(rows));
     } else {
-        journal =
-            std::make_unique<Journal>(journal_folders(game), game_name(game) + ".tweaks", warn);
+        journal = std::make_unique<Journal>(journal_folders(game), game_name(game) + ".tweaks",
+                                            [this](const std::string& text) { warn(text); });
         take_earlier(journal->earlier());
         remove_leftovers(folder);
     }
@@ -105,6 +78,14 @@ void Tweaks::State::take_earlier(std::vector<JournalRow> rows) {
         warn(std::to_string(invalid_count) +
              " rows that earlier runs have left are not tweaks, and are left aside, the first: " +
              first + "; drop_tweaks(\"**\") removes them");
+}
+
+void Tweaks::State::give_warnings() {
+    while (!untold.empty()) {
+        const std::string text = std::move(untold.front());
+        untold.erase(untold.begin());
+        sink(text);
+    }
 }
 
 Tweaks::State::~State() {
@@ -439,13 +420,16 @@ std::vector<TweakWords> Tweaks::earlier_in_words() const {
 
 Tweaks::Tweaks(Tree& tree, const std::filesystem::path& game,
                std::function<void(const std::string&)> warn, TweakOptions options)
-    : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {}
+    : state_(std::make_unique<State>(tree, game, std::move(warn), std::move(options))) {
+    state_->give_warnings();
+}
 Tweaks::~Tweaks() {
     if (state_->tree_life.expired()) return;  // the paths of edited instances are unknown
     state_->barriers_to_retry = 0;
     if (state_->journal) state_->journal->wait_longer();
     barrier();
     state_->report_lost();
+    state_->give_warnings();
 }
 
 Tweaks::State& Tweaks::usable() const {
@@ -466,12 +450,17 @@ void Tweaks::barrier() {
     } catch (const std::exception& error) {
         state_->warn("tweaks cannot be journaled: " + exception_text(error));
     }
+    state_->give_warnings();
 }
 TweakReport Tweaks::reapply(std::string_view pattern) {
-    return usable().reapply(pattern);
+    TweakReport report = usable().reapply(pattern);
+    state_->give_warnings();
+    return report;
 }
 TweakReport Tweaks::drop(std::string_view pattern) {
-    return usable().drop(pattern);
+    TweakReport report = usable().drop(pattern);
+    state_->give_warnings();
+    return report;
 }
 void Tweaks::scene_loaded(const std::filesystem::path& file,
                           const std::vector<SceneInstance>& instances, bool named_by_script) {
@@ -485,10 +474,12 @@ void Tweaks::scene_loaded(const std::filesystem::path& file,
 }
 void Tweaks::placed(Handle instance) {
     usable().kept.apply_values(instance);
+    state_->give_warnings();
 }
 void Tweaks::game_loaded() {
     State& state = usable();
     for (const Handle moved : state.kept.apply_all()) state.origins.forget_part(state.tree, moved);
+    state.give_warnings();
 }
 std::filesystem::path Tweaks::journal() const {
     return state_->journal ? state_->journal->file() : std::filesystem::path();

@@ -295,7 +295,7 @@ void Tweaks::State::commit() {
 }
 
 /// Called at the end of the run: there is no next barrier.
-void Tweaks::State::report_lost() const {
+void Tweaks::State::report_lost() {
     if (!journal) return;
     const auto lost = std::count_if(dirty.begin(), dirty.end(),
                                     [this](const Entry* entry) { return visible(*entry); });

@@ -101,8 +101,12 @@ struct Tweaks::State : EditObserver {
         return std::to_string(static_cast<int>(kind)) + instance + '\n' + property;
     }
 
-    State(Tree& tree, const std::filesystem::path& game, Journal::Warn warn, TweakOptions options);
+    State(Tree& tree, const std::filesystem::path& game, Journal::Warn sink, TweakOptions options);
     ~State() override;
+    /// The host gets the text when the present operation has ended: its function may use the
+    /// tweaks, for example keep some, which changes what the operation reads.
+    void warn(std::string text) { untold.push_back(std::move(text)); }
+    void give_warnings();
     std::size_t drop_invalid(std::string_view pattern);
     void take_earlier(std::vector<JournalRow> rows);
     void refresh_earlier();
@@ -213,7 +217,7 @@ struct Tweaks::State : EditObserver {
     void rename_mentions(const std::string& from, const std::string& to);
     void add_reference_tweaks(Entry& made, const std::string& path);
     void commit();
-    void report_lost() const;
+    void report_lost();
 
     /// The path without links if it is one of the game's own files. Files loaded from elsewhere are
     /// not changed.
@@ -239,8 +243,9 @@ struct Tweaks::State : EditObserver {
 
     Tree& tree;
     std::weak_ptr<const Tree*> tree_life;
-    std::filesystem::path folder;  // folder of the game
-    Journal::Warn warn;
+    std::filesystem::path folder;        // folder of the game
+    const Journal::Warn sink;            // the function of the host for warnings
+    std::vector<std::string> untold;     // warnings that it has not got yet
     const std::string not_kept_because;  // see TweakOptions
     GameFiles own_files;
     GameFiles& files;
