@@ -79,6 +79,7 @@ struct JointEnds {
     float greatest_error = infinity;
     /// The greatest impulse in a sub-step of a row that holds a length and yields, N s.
     float greatest_pull = infinity;
+    uint32_t joints = 1;  ///< number of joints of its dynamic body that has more of them
     /// The side whose body obstacles hold, or -1. See solver/joints/obstructed_joints.h.
     int held = -1;
 
@@ -113,6 +114,18 @@ struct JointEnds {
         const float error = angle - reference;
         if (std::abs(error) <= 0.5f * two_pi<float>) return reference;
         return angle - std::remainder(error, two_pi<float>);
+    }
+    /// The mass that swings with the frequency of a spring along a line: the reduced mass of both
+    /// bodies. It does not depend on the pose. Far from their centers, the anchors move the bodies
+    /// with much less mass; the spring counts at most eight times that. Bodies that can only turn
+    /// have a mass, too.
+    float spring_mass(const SolverBody& body_a, const SolverBody& body_b) const {
+        constexpr float most = 8.0f;
+        const float inverse = max(inverse_a.x, inverse_a.y) + max(inverse_b.x, inverse_b.y);
+        const float by_turn = body_a.inverse_inertia * length_squared(start_a) +
+                              body_b.inverse_inertia * length_squared(start_b);
+        if (!(inverse > 0.0f)) return inverse_or_zero(by_turn);
+        return min(1.0f / inverse, most / (inverse + by_turn));
     }
     /// Velocity of anchor b relative to anchor a.
     Vec2 velocity(const SolverBody& body_a, const SolverBody& body_b) const {

@@ -1,35 +1,23 @@
 #pragma once
 
-#include <constraints/joint_ends.h>
+#include <constraints/springs.h>
+
+#include <cmath>
 
 // The rows of joints. Each function returns the impulse to apply and adds it to the total.
 
 namespace fettle::physics::detail {
 
-/// A spring in the form of a row: Δλ = -m·(mass_scale·v + push·C) - impulse_scale·λ. The force is
-/// -k·C - d·v with the position before the sub-step and the velocity after it. This conserves
-/// energy while h·ω is small, so a spring swings with the frequency and the damping of its
-/// settings. Above that (h·ω > ½), the stiffness increasingly uses the position after the sub-step.
-/// This damps, and is stable for one spring of any stiffness. Each sub-step solves a spring once,
-/// though, so springs in a row pass on what they push one after the other: from h·ω = 1.5 on, such
-/// a row breaks apart. A stiffer spring therefore has the stiffness of `greatest_turn`.
-struct Spring {
-    static constexpr float greatest_turn = 1.25f;  ///< h·ω
+/// Two rows that hold a point: K⁻¹, times the share of a crowded joint.
+struct PointMass {
+    float xx = 0.0f, xy = 0.0f, yy = 0.0f;
 
-    float push = 0.0f;
-    float mass_scale = 0.0f;
-    float impulse_scale = 1.0f;
-
-    static Spring make(float hertz, float damping_ratio, float h) {
-        const float turn = min(two_pi<float> * hertz * h, greatest_turn);  // h·ω
-        const float implicit = clamp(turn - 0.5f, 0.0f, 1.0f);
-        const float a = turn * (2.0f * damping_ratio + implicit * turn);
-        const float rest = 1.0f / (1.0f + a);
-        return {turn * turn / h * rest, a * rest, rest};
+    static PointMass make(const JointEnds& e, const SolverBody& a, const SolverBody& b) {
+        const PointInverse k = PointInverse::make(e, a, b);
+        const float inverse = e.share * inverse_or_zero(k.xx * k.yy - k.xy * k.xy);
+        return {inverse * k.yy, -inverse * k.xy, inverse * k.xx};
     }
-    float impulse(float mass, float velocity, float error, float so_far) const {
-        return -mass * (mass_scale * velocity + push * error) - impulse_scale * so_far;
-    }
+    Vec2 operator*(Vec2 v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y}; }
 };
 
 /// A row that keeps an error at 0. `velocity` is that of the error. `reaction`: the part of the
@@ -87,23 +75,5 @@ inline float push_motor(float& impulse, float mass, float velocity, float speed,
                                : min(total + further * change, 0.0f);
     return change;
 }
-
-/// Two rows that hold a point: the inverse of K = M_a⁻¹ + M_b⁻¹ + I_a⁻¹·r_a⊥ r_a⊥ᵀ +
-/// I_b⁻¹·r_b⊥ r_b⊥ᵀ.
-struct PointMass {
-    float xx = 0.0f, xy = 0.0f, yy = 0.0f;
-
-    static PointMass make(const JointEnds& e, const SolverBody& a, const SolverBody& b) {
-        const float ia = a.inverse_inertia, ib = b.inverse_inertia;
-        const float xx = e.inverse_a.x + e.inverse_b.x + ia * e.lever_a.y * e.lever_a.y +
-                         ib * e.lever_b.y * e.lever_b.y;
-        const float yy = e.inverse_a.y + e.inverse_b.y + ia * e.lever_a.x * e.lever_a.x +
-                         ib * e.lever_b.x * e.lever_b.x;
-        const float xy = -ia * e.lever_a.x * e.lever_a.y - ib * e.lever_b.x * e.lever_b.y;
-        const float inverse = e.share * inverse_or_zero(xx * yy - xy * xy);
-        return {inverse * yy, -inverse * xy, inverse * xx};
-    }
-    Vec2 operator*(Vec2 v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y}; }
-};
 
 }  // namespace fettle::physics::detail

@@ -4,6 +4,12 @@
 #include <state/active_lists.h>
 
 namespace fettle::physics::detail {
+
+void count_contact(ObjectState& objects, uint32_t shape_a, uint32_t shape_b) {
+    for (const uint32_t shape : {shape_a, shape_b})
+        ++objects.bodies[objects.forms[shape].body].lists.contact_count;
+}
+
 void create_contact(const ContactList& list, const WorldDef& settings, uint32_t shape_a,
                     uint32_t shape_b) {
     ObjectState& objects = list.touching.objects;
@@ -22,7 +28,6 @@ void create_contact(const ContactList& list, const WorldDef& settings, uint32_t 
         BodyRecord& body = objects.bodies[side == 0 ? c.body_a : c.body_b];
         link_edge(body.lists.first_contact, slot << 1 | side,
                   [&](uint32_t edge) -> ListEdge& { return objects.contact_edge(edge); });
-        ++body.lists.contact_count;
     }
     list.pairs.insert(shape_a, shape_b, slot);
     if (objects.bodies[c.body_a].solver_index != 0 || objects.bodies[c.body_b].solver_index != 0)

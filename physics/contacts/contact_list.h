@@ -56,6 +56,9 @@ struct ContactList {
     ActiveLists& active;
 };
 
+/// Counts a contact in the lists of its bodies. It comes before `create_contact`, because other
+/// threads may read the number while one creates.
+void count_contact(ObjectState& objects, uint32_t shape_a, uint32_t shape_b);
 void create_contact(const ContactList& list, const WorldDef& settings, uint32_t shape_a,
                     uint32_t shape_b);
 void destroy_contact(const ContactList& list, uint32_t contact);

@@ -294,6 +294,9 @@ size_t collide_and_create(const NarrowPhaseInput& in) {
     const size_t more = new_pairs.size() - std::min(new_pairs.size(), spare);
     make_room(contacts, more);
     make_room(in.objects.manifold_poses, more);
+    // Other threads read the numbers of contacts: `may_be_flush`.
+    for (const uint64_t pair : new_pairs)
+        count_contact(in.objects, uint32_t(pair), uint32_t(pair >> 32));
     const size_t moved = moved_shapes.size();
     const auto marks = uint32_t((moved + moved_at_a_time - 1) / moved_at_a_time);
     return collide_awake(in, awake, 0, moved == 0 ? 0 : 1 + marks, [&](uint32_t i) {

@@ -96,7 +96,7 @@ struct PairSearch {
         for (const uint32_t shape : boxes.moved_shapes) {
             if (objects.forms[shape].body == none || generations[shape] == 0) continue;
             if (objects.bodies[objects.forms[shape].body].mobility != Mobility::dynamic) continue;
-            for (uint32_t side = 0; side < 4; ++side) {
+            for (uint32_t side = 0; side < border_sides; ++side) {
                 if (overlap(boxes.fat_boxes[shape], boxes.fat_boxes[side]))
                     add_if_new(shape, side, scratch.new_pairs);
             }

@@ -36,7 +36,7 @@ void make_border(const Editing& e) {
     BodyDef def;
     def.type = BodyType::static_body;
     create_body(e, def);
-    for (uint32_t side = 0; side < 4; ++side) {
+    for (uint32_t side = 0; side < border_sides; ++side) {
         objects.forms.emplace_back();
         objects.shapes.emplace_back();
         e.broad_phase.boxes.emplace_back();
@@ -52,7 +52,7 @@ void make_border(const Editing& e) {
 
 void apply_bounds(const Editing& e) {
     wake_all(e.activity);
-    for (uint32_t side = 0; side < 4; ++side) {
+    for (uint32_t side = 0; side < border_sides; ++side) {
         e.objects.shapes[side].surface.friction = e.settings.bounds_friction;
         e.objects.shapes[side].surface.restitution = e.settings.bounds_restitution;
         remix_shape(e.objects, e.settings, side);
@@ -72,7 +72,7 @@ void apply_bounds(const Editing& e) {
     }
     if (!e.settings.bounds) return;
     drop_kept_manifolds(e.objects, 0);
-    for (uint32_t shape = 4; shape < e.objects.shapes.size(); ++shape) {
+    for (uint32_t shape = border_sides; shape < e.objects.shapes.size(); ++shape) {
         if (e.columns.shape_generations[shape] != 0 && e.objects.forms[shape].body != none)
             mark_moved(e.objects, e.broad_phase, shape);
     }

@@ -174,17 +174,13 @@ void Body::set_force(const Vec2& force) {
 
 namespace {
 
-/// Limit of the sum of forces (N) and torques (N m).
-constexpr float greatest_force = std::numeric_limits<float>::max();
-
 /// Adds a force for the next step, and wakes the body. A force on a body that cannot move is
 /// ignored; otherwise it would act later, when the body can move.
-void push(WorldData& data, uint32_t body, Vec2 force, float torque) {
+void push(WorldData& data, uint32_t body, const Load& load) {
     BodyRecord& record = data.bodies[body];
     if (record.mobility != Mobility::dynamic) return;
     data.change<wake_body>(body);
-    record.step_load.force = bounded(record.step_load.force + force, greatest_force);
-    record.step_load.torque = bounded(record.step_load.torque + torque, greatest_force);
+    record.step_load.add(load);
 }
 
 }  // namespace
@@ -193,7 +189,7 @@ void Body::apply_force(const Vec2& force) {
     FETTLE_EDIT_BODY
     check_finite("force", force);
     data.read_mass(id_.index);
-    push(data, id_.index, force, 0.0f);
+    push(data, id_.index, {force, 0.0f});
 }
 
 void Body::apply_force(const Vec2& force, const Position& world_point) {
@@ -201,14 +197,14 @@ void Body::apply_force(const Vec2& force, const Position& world_point) {
     check_finite("force", force);
     check_finite_point("world_point", world_point);
     data.read_mass(id_.index);
-    push(data, id_.index, force, cross(world_point - record.center, force));
+    push(data, id_.index, {force, cross(world_point - record.center, force)});
 }
 
 void Body::apply_torque(float torque) {
     FETTLE_EDIT_BODY
     check_finite("torque", torque);
     data.read_mass(id_.index);
-    push(data, id_.index, {}, torque);
+    push(data, id_.index, {{}, torque});
 }
 
 void Body::apply_impulse(const Vec2& impulse) {

@@ -39,18 +39,10 @@ struct Line {
     }
 };
 
-/// Stiffness of a spring. 0 Hz: no spring; infinity, if a joint allows it: rigid.
-struct Stiffness {
-    float hertz = 0.0f, damping_ratio = 0.0f;
-
-    bool is_rigid() const { return hertz == infinity; }
-    bool is_spring() const { return !is_rigid() && hertz > 0.0f; }
-    Spring spring(float h) const { return Spring::make(hertz, damping_ratio, h); }
-    void check() const {
-        check_not_negative("hertz", hertz);
-        check_not_negative("damping_ratio", damping_ratio);
-    }
-};
+inline void check(const Stiffness& stiffness) {
+    check_not_negative("hertz", stiffness.hertz);
+    check_not_negative("damping_ratio", stiffness.damping_ratio);
+}
 
 struct Limits {
     float lower = -infinity, upper = infinity;
@@ -194,7 +186,7 @@ struct CoordinateSettings {
         check_limit(names.upper, limits.upper);
         check_finite("motor_speed", motor.speed);
         check_strength(names.greatest, motor.greatest);
-        stiffness.check();
+        detail::check(stiffness);
         check_finite(names.target, target);
     }
 };
@@ -225,10 +217,11 @@ struct Coordinate {
     bool drives = false;   ///< the motor has a speed: it is more than friction
     bool bounded = false;  ///< has limits, or a motor that drives
 
-    /// `moves`: an impulse along the coordinate has an effect.
+    /// `mass`: that of the spring, see `Spring::make`; `moved`: the one that an impulse along the
+    /// coordinate moves, 0 if it has no effect; `joints`: as in `Spring::make`.
     void prepare(const CoordinateSettings& settings, CoordinateImpulses& impulses, float h,
-                 bool moves) {
-        if (moves) {
+                 float mass, float moved, uint32_t joints) {
+        if (moved > 0.0f) {
             limits = settings.limits.in_order();
             springy = settings.stiffness.is_spring();
             driven = settings.motor.greatest > 0.0f;
@@ -238,7 +231,7 @@ struct Coordinate {
         }
         motor = {settings.motor.speed, settings.motor.greatest * h};
         target = settings.target;
-        if (springy) spring = settings.stiffness.spring(h);
+        if (springy) spring = Spring::make(settings.stiffness, h, mass, moved, joints);
         // A part that stops acting begins with impulse 0 when it acts again.
         if (!springy) impulses.spring = 0.0f;
         if (!driven) impulses.motor = 0.0f;
@@ -299,9 +292,9 @@ struct Coordinate {
                              push, end);
         if (!biased && end == 0 && driven && limited) relieve(impulses.motor, impulses.limits);
     }
-    void write_rows(CoordinateImpulses& impulses, float mass, float position,
-                    const Jacobian& jacobian, RowWriter& rows) const {
-        if (springy) rows.spring(jacobian, spring, mass, position - target, impulses.spring);
+    void write_rows(CoordinateImpulses& impulses, float position, const Jacobian& jacobian,
+                    RowWriter& rows) const {
+        if (springy) rows.spring(jacobian, spring, position - target, impulses.spring);
         if (driven) {
             const float speed = motor.speed_within(limits, position, 1.0f / float(rows.h()));
             rows.motor(jacobian, speed, motor.greatest, impulses.motor);

@@ -74,7 +74,6 @@ struct DistanceConstraint {
         rigid = settings.stiffness.is_rigid();
         springy = settings.stiffness.is_spring();
         length = rigid ? clamp(settings.length, limits.lower, limits.upper) : settings.length;
-        if (springy) spring = settings.stiffness.spring(step.h);
         if (rigid || !(limits.lower > 0.0f)) limits.lower = -infinity;
         if (rigid) limits.upper = infinity;
         limited = limits.any();
@@ -88,6 +87,9 @@ struct DistanceConstraint {
         if (!limited) impulses.limits = {};
         if (!driven) impulses.motor = 0.0f;
         const float distance = follow(a, b);
+        if (springy)
+            spring = Spring::make(settings.stiffness, step.h, ends.spring_mass(a, b), line.mass,
+                                  ends.joints);
         excess = rigid ? distance - length : distance - clamp(distance, limits.lower, limits.upper);
     }
 
@@ -137,7 +139,7 @@ struct DistanceConstraint {
         // Between an obstacle and a rod there may be no solution: the rod yields.
         const float greatest = ends.greatest_impulse(line.mass, float(rows.h()));
         if (springy) {
-            DirectRow& row = rows.spring(along, spring, line.mass, error, impulses.along);
+            DirectRow& row = rows.spring(along, spring, error, impulses.along);
             if (weak && rows.biased()) row.low = double(least), row.high = double(most);
         } else if (rigid) {
             DirectRow& row = rows.hold(along, ends.bounded_error(error), impulses.along);

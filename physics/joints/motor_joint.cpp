@@ -32,7 +32,7 @@ struct MotorSettings {
         check_strength("max_torque", max_torque);
         check_coordinates("linear_offset", linear_offset);
         check_finite("angular_offset", angular_offset);
-        stiffness.check();
+        detail::check(stiffness);
     }
     bool gives_energy() const { return true; }
 };
@@ -51,7 +51,8 @@ struct MotorConstraint {
     float turn_speed = 0.0f, angle = 0.0f, angular_mass = 0.0f;
     float greatest_force = 0.0f, greatest_torque = 0.0f;
     bool springy = false;
-    Spring spring;
+    PointSpring spring;
+    Spring turning_spring;
 
     void prepare(const Settings& settings, const JointFrame& frame, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
@@ -63,9 +64,13 @@ struct MotorConstraint {
         greatest_force = settings.max_force * step.h;
         greatest_torque = settings.max_torque * step.h;
         springy = settings.stiffness.is_spring();
-        if (springy) spring = settings.stiffness.spring(step.h);
         if (angular_mass == 0.0f) impulses.torque = 0.0f;
         follow(a, b);
+        if (!springy) return;
+        spring = PointSpring::make(settings.stiffness, step.h, ends.spring_mass(a, b),
+                                   PointInverse::make(ends, a, b), ends.joints);
+        turning_spring =
+            Spring::make(settings.stiffness, step.h, angular_mass, angular_mass, ends.joints);
     }
     /// Rotates the levers with the bodies; returns the vector from anchor a to anchor b.
     Vec2 follow(const SolverBody& a, const SolverBody& b) {
@@ -95,21 +100,22 @@ struct MotorConstraint {
             rows.motors(ends, velocity, greatest_force, impulses.force);
             return;
         }
-        // A spring with a velocity relative to that of the motor: v - u + (push/mass_scale)·C.
-        const auto ahead = [this](float wanted) {
-            return spring.push > 0.0f ? wanted * spring.mass_scale / spring.push : 0.0f;
+        // A spring with a velocity relative to that of the motor: v - u + (push/resistance)·C.
+        const auto ahead = [](float push, auto resistance) {
+            return inverse_or_zero(push) * resistance;
         };
         DirectRow& torque =
-            rows.spring(turning, spring, angular_mass,
-                        ends.angle_now(a, b) - angle - ahead(turn_speed), impulses.torque);
+            rows.spring(turning, turning_spring,
+                        ends.angle_now(a, b) - angle -
+                            ahead(turning_spring.push, turning_spring.resistance * turn_speed),
+                        impulses.torque);
         if (rows.biased()) {
             torque.low = -double(greatest_torque);
             torque.high = double(greatest_torque);
         }
         const Vec2 error =
-            gap - turned(offset, a.turn) - Vec2{ahead(velocity.x), ahead(velocity.y)};
-        rows.springs(ends, spring, PointMass::make(ends, a, b), error, greatest_force,
-                     impulses.force);
+            gap - turned(offset, a.turn) - ahead(spring.push, spring.resistance * velocity);
+        rows.springs(ends, spring, error, greatest_force, impulses.force);
     }
     JointLoad load() const { return {impulses.force, impulses.torque}; }
     bool moves_bodies(const SolverBody& a, const SolverBody& b) const {
@@ -127,21 +133,17 @@ struct MotorConstraint {
         const float turning = b.angular_velocity - a.angular_velocity - turn_speed;
         float torque = -angular_mass * turning;
         if (springs) {
-            torque = spring.impulse(angular_mass, turning, ends.angle_now(a, b) - angle,
-                                    impulses.torque);
+            torque = turning_spring.impulse(angular_mass, turning, ends.angle_now(a, b) - angle,
+                                            impulses.torque);
         }
         const float turned_by = clamp(impulses.torque + torque, -greatest_torque, greatest_torque);
         detail::twist(a, b, turned_by - impulses.torque);
         impulses.torque = turned_by;
 
         const Vec2 moving = ends.velocity(a, b) - turned(speed, a.turn);
-        const PointMass mass = PointMass::make(ends, a, b);
-        Vec2 total = impulses.force - mass * moving;
-        if (springs) {
-            const Vec2 error = gap - turned(offset, a.turn);
-            total = (1.0f - spring.impulse_scale) * impulses.force -
-                    mass * (spring.mass_scale * moving + spring.push * error);
-        }
+        Vec2 total = springs ? spring.impulse(PointInverse::make(ends, a, b), moving,
+                                              gap - turned(offset, a.turn), impulses.force)
+                             : impulses.force - PointMass::make(ends, a, b) * moving;
         const float size = length(total);
         if (size > greatest_force) total = (greatest_force / size) * total;
         ends.push(a, b, total - impulses.force);

@@ -4,9 +4,10 @@
 
 // Pulls a point of a body (b) softly towards a point of the world (a).
 //
-// A soft point (C = p_b - p_a, both coordinates) with a limited impulse. It is a force, not a
-// constraint: the relax pass does not solve it. The levers remain those of the start of the step.
-// This damps the rotation a little, so that a dragged body comes to rest.
+// A spring between two points (C = p_b - p_a, both coordinates) with a limited impulse. It is a
+// force, not a constraint: the relax pass does not solve it. Its damping also slows the rotation,
+// so that a body that is dragged beside its center comes to rest: a torque of -2·ζ·ω·I/5 times the
+// angular velocity.
 
 namespace fettle::physics {
 namespace detail {
@@ -17,7 +18,7 @@ struct MouseSettings {
     float max_force = infinity;
 
     void check() const {
-        stiffness.check();
+        detail::check(stiffness);
         check_strength("max_force", max_force);
     }
     bool gives_energy() const { return true; }
@@ -27,50 +28,56 @@ struct MouseConstraint {
     using Settings = MouseSettings;
     struct Impulses {
         Vec2 pull;
-        void scale(float s) { pull = s * pull; }
+        float twist = 0.0f;
+        void scale(float s) { pull = s * pull, twist *= s; }
     };
 
     JointEnds ends;
     Impulses impulses;
-    float greatest = 0.0f;
-    Softness softness;
-    PointMass mass;
+    float greatest = 0.0f, angular_mass = 0.0f;
+    PointSpring spring;
+    Spring turning;
 
     void prepare(const Settings& settings, const JointFrame&, const JointStep& step,
                  const SolverBody& a, const SolverBody& b) {
-        const auto [hertz, damping_ratio] = settings.stiffness;
         greatest = settings.max_force * step.h;
-        softness = make_softness(hertz, damping_ratio, step.h);
-        // A slack joint does not pull.
-        if (hertz > 0.0f) mass = PointMass::make(ends, a, b);
+        angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
+        if (!settings.stiffness.is_spring()) return;
+        spring = PointSpring::make(settings.stiffness, step.h, ends.spring_mass(a, b),
+                                   PointInverse::make(ends, a, b), ends.joints);
+        constexpr float of_rotation = 0.2f;
+        const auto [hertz, damping_ratio] = settings.stiffness;
+        turning.resistance =
+            min(2.0f * damping_ratio * two_pi<float> * hertz * of_rotation * step.h, 1.0f) *
+            angular_mass;
     }
-    void warm_start(SolverBody& a, SolverBody& b) const { ends.push(a, b, impulses.pull); }
+    void warm_start(SolverBody& a, SolverBody& b) const {
+        ends.push(a, b, impulses.pull);
+        detail::twist(a, b, impulses.twist);
+    }
     void solve(SolverBody& a, SolverBody& b, const JointStep&) {
-        const Vec2 velocity = ends.velocity(a, b) + softness.bias_rate * gap(a, b);
-        const Vec2 wanted = -softness.mass_scale * (mass * velocity);
-        Vec2 total = impulses.pull + (wanted - softness.impulse_scale * impulses.pull);
+        ends.follow(a, b);
+        Vec2 total = spring.impulse(PointInverse::make(ends, a, b), ends.velocity(a, b),
+                                    ends.gap(a, b), impulses.pull);
         const float size = length(total);
         if (size > greatest) total = (greatest / size) * total;
         ends.push(a, b, total - impulses.pull);
         impulses.pull = total;
+        const float slowing = turning.impulse(angular_mass, b.angular_velocity - a.angular_velocity,
+                                              0.0f, impulses.twist);
+        detail::twist(a, b, slowing);
+        impulses.twist += slowing;
     }
-    void relax(SolverBody&, SolverBody&, const JointStep&) {}
+    void relax(SolverBody& a, SolverBody& b, const JointStep&) {
+        ends.follow(a, b);  // the next sub-step begins with the impulse
+    }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
-        // Its softness in the form of a spring: λ = -m·(mass_scale·v + mass_scale·bias_rate·C).
-        const Softness& soft = softness;
-        const Spring spring = {soft.mass_scale * soft.bias_rate, soft.mass_scale,
-                               soft.impulse_scale};
-        // A slack joint has no mass. Without this case its softness would be rigid.
-        const bool slack = !(soft.impulse_scale > 0.0f);
-        rows.springs(ends, slack ? Spring{} : spring, mass, gap(a, b), greatest, impulses.pull);
+        ends.follow(a, b);
+        rows.springs(ends, spring, ends.gap(a, b), greatest, impulses.pull);
+        rows.spring(Jacobian::turning(ends), turning, 0.0f, impulses.twist);
     }
-    JointLoad load() const { return {impulses.pull, 0.0f}; }
+    JointLoad load() const { return {impulses.pull, impulses.twist}; }
     Drive drive() { return Drive::of_force(greatest, impulses.pull); }
-
-  private:
-    Vec2 gap(const SolverBody& a, const SolverBody& b) const {
-        return ends.gap(a, b) + cross(b.turn, ends.lever_b);
-    }
 };
 
 constinit const JointKind mouse_joint = JointFunctions<MouseConstraint>::kind("mouse");

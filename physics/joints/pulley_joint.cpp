@@ -53,7 +53,7 @@ struct PulleyConstraint {
             arm = anchor_lever;
             const Vec2 rope = start + body.shift + arm;
             length = detail::length(rope);
-            // If the anchor is at its wheel, the direction is the old one, or there is no pull.
+            // At its wheel an anchor keeps the last direction; without one, the rope does not pull.
             if (length > 1e-3f) direction = (1.0f / length) * rope;
             lever = cross(arm, direction);
         }
@@ -119,7 +119,8 @@ struct PulleyConstraint {
     PulleyImpulses impulses;
     Side side_a, side_b;
     float ratio = 1.0f, length = 0.0f, mass = 0.0f;
-    float way = 0.0f;  ///< m: by so much the rope gets shorter until what moves is at its wheels
+    float way =
+        0.0f;  ///< m: how much shorter the rope can get until its movable ends are at their wheels
     bool too_long = false;  ///< at the start of the step
 
     static float separation(const Settings& settings, const JointPlace& place) {

@@ -52,8 +52,9 @@ struct Rail {
                  const JointFrame& frame, const JointStep& step, const SolverBody& a,
                  const SolverBody& b) {
         start_axis = rotate(frame.a, normalized(settings.axis));
-        coordinate.prepare(settings.along, impulses.along, step.h, true);
         follow(ends, a, b);
+        coordinate.prepare(settings.along, impulses.along, step.h, ends.spring_mass(a, b),
+                           along.mass, ends.joints);
     }
     /// Rotates levers and directions with the bodies.
     void follow(JointEnds& ends, const SolverBody& a, const SolverBody& b) {
@@ -140,8 +141,7 @@ struct Rail {
         return ends.close_wide_gap(a, b, across.direction, offset, step);
     }
     void write_rows(RailImpulses& impulses, const JointEnds& ends, RowWriter& rows) const {
-        coordinate.write_rows(impulses.along, along.mass,
-                              bounded_place(ends, coordinate.limits, translation),
+        coordinate.write_rows(impulses.along, bounded_place(ends, coordinate.limits, translation),
                               along.jacobian(ends), rows);
         rows.hold(across.jacobian(ends), offset, impulses.across);
     }

@@ -58,7 +58,8 @@ struct RevoluteConstraint {
                  const SolverBody& a, const SolverBody& b) {
         angular_mass = inverse_or_zero(a.inverse_inertia + b.inverse_inertia);
         reference = settings.reference_angle;
-        angle.prepare(settings.angle, impulses.angle, step.h, angular_mass > 0.0f);
+        angle.prepare(settings.angle, impulses.angle, step.h, angular_mass, angular_mass,
+                      ends.joints);
         mass = PointMass::make(ends, a, b);
         pressed = ends.is_pressed(a, b, ends.gap(a, b));
     }
@@ -90,8 +91,8 @@ struct RevoluteConstraint {
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
         ends.follow(a, b);
-        angle.write_rows(impulses.angle, angular_mass, ends.angle_now(a, b) - reference,
-                         Jacobian::turning(ends), rows);
+        angle.write_rows(impulses.angle, ends.angle_now(a, b) - reference, Jacobian::turning(ends),
+                         rows);
         rows.hold_point(ends, ends.gap(a, b), impulses.point);
     }
     JointLoad load() const { return {impulses.point, impulses.angle.sum()}; }

@@ -14,7 +14,9 @@
 //     K' = M + I_a⁻¹I_b⁻¹/(I_a⁻¹ + I_b⁻¹) · (a - b)(a - b)ᵀ
 //
 // for the point, in a form without cancellation; then λ_θ = -(v_θ + k·λ)/(I_a⁻¹ + I_b⁻¹) with k =
-// I_a⁻¹·a + I_b⁻¹·b. If the point or the angle is a spring, each is solved by itself.
+// I_a⁻¹·a + I_b⁻¹·b. If the point or the angle is a spring, each is solved by itself. A spring at
+// the point pushes both bodies at one point, in the middle between the anchors: pushed at points
+// that are apart, they would gain or lose angular momentum.
 
 namespace fettle::physics {
 namespace detail {
@@ -46,7 +48,8 @@ struct WeldConstraint {
     Impulses impulses;
     float reference = 0.0f, angular_mass = 0.0f;
     bool rigid_point = true, rigid_angle = true, springy_point = false, springy_angle = false;
-    Spring point_spring, angle_spring;
+    PointSpring point_spring;
+    Spring angle_spring;
 
     static float separation(const Settings& settings, const JointPlace& place) {
         return settings.point.is_rigid() ? length(place.gap()) : 0.0f;
@@ -61,41 +64,54 @@ struct WeldConstraint {
         rigid_angle = settings.angle.is_rigid();
         springy_point = settings.point.is_spring();
         springy_angle = settings.angle.is_spring();
-        if (springy_point) point_spring = settings.point.spring(step.h);
-        if (springy_angle) angle_spring = settings.angle.spring(step.h);
+        if (springy_point)
+            point_spring = PointSpring::make(settings.point, step.h, ends.spring_mass(a, b),
+                                             PointInverse::make(ends, a, b), ends.joints);
+        if (springy_angle)
+            angle_spring =
+                Spring::make(settings.angle, step.h, angular_mass, angular_mass, ends.joints);
         // A part that stops acting begins with impulse 0 when it acts again.
         if (!rigid_point && !springy_point) impulses.point = {};
         if ((!rigid_angle && !springy_angle) || angular_mass == 0.0f) impulses.angle = 0.0f;
+        follow(a, b);
+    }
+    /// Rotates the levers with the bodies; returns the vector from anchor a to anchor b.
+    Vec2 follow(const SolverBody& a, const SolverBody& b) {
+        ends.follow(a, b);
+        const Vec2 gap = ends.gap(a, b);
+        if (springy_point) {
+            ends.lever_a = ends.lever_a + 0.5f * gap;
+            ends.lever_b = ends.lever_b - 0.5f * gap;
+        }
+        return gap;
     }
     void warm_start(SolverBody& a, SolverBody& b) const {
         ends.push(a, b, impulses.point);
         detail::twist(a, b, impulses.angle);
     }
     void solve(SolverBody& a, SolverBody& b, const JointStep& step) {
-        ends.follow(a, b);
-        solve_springs(a, b);
+        const Vec2 gap = follow(a, b);
+        solve_springs(a, b, gap);
         if (rigid_point) ends.close_wide_gap(a, b, ends.gap(a, b), step);
         if (rigid_point || rigid_angle) solve_rigid<true>(a, b, step);
     }
     void relax(SolverBody& a, SolverBody& b, const JointStep& step) {
         // Springs do not act here, but the next sub-step begins with their impulses.
-        ends.follow(a, b);
+        follow(a, b);
         if (rigid_point || rigid_angle) solve_rigid<false>(a, b, step);
     }
     void write_rows(RowWriter& rows, const SolverBody& a, const SolverBody& b) {
-        ends.follow(a, b);
+        const Vec2 gap = follow(a, b);
         const Jacobian turning = Jacobian::turning(ends);
         const float angle = ends.angle_now(a, b) - reference;
-        const Vec2 gap = ends.gap(a, b);
         if (rigid_angle)
             rows.hold(turning, angle, impulses.angle);
         else if (springy_angle)
-            rows.spring(turning, angle_spring, angular_mass, angle, impulses.angle);
+            rows.spring(turning, angle_spring, angle, impulses.angle);
         if (rigid_point)
             rows.hold_point(ends, gap, impulses.point);
         else if (springy_point)
-            rows.springs(ends, point_spring, PointMass::make(ends, a, b), gap, infinity,
-                         impulses.point);
+            rows.springs(ends, point_spring, gap, infinity, impulses.point);
     }
     JointLoad load() const { return {impulses.point, impulses.angle}; }
 
@@ -138,7 +154,7 @@ struct WeldConstraint {
         apply(a, b, scale * point - rest * impulses.point,
               scale * angle - angle_rest * impulses.angle);
     }
-    void solve_springs(SolverBody& a, SolverBody& b) {
+    void solve_springs(SolverBody& a, SolverBody& b, Vec2 gap) {
         if (springy_angle && angular_mass > 0.0f) {
             const float change =
                 angle_spring.impulse(angular_mass, b.angular_velocity - a.angular_velocity,
@@ -146,10 +162,9 @@ struct WeldConstraint {
             apply(a, b, {}, change);
         }
         if (springy_point) {
-            const PointMass mass = PointMass::make(ends, a, b);
-            const Vec2 wanted =
-                point_spring.mass_scale * ends.velocity(a, b) + point_spring.push * ends.gap(a, b);
-            apply(a, b, -(mass * wanted) - point_spring.impulse_scale * impulses.point, 0.0f);
+            const Vec2 now = point_spring.impulse(PointInverse::make(ends, a, b),
+                                                  ends.velocity(a, b), gap, impulses.point);
+            apply(a, b, now - impulses.point, 0.0f);
         }
     }
     void apply(SolverBody& a, SolverBody& b, Vec2 point, float angle) {

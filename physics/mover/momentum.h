@@ -25,11 +25,11 @@ void push_body(World& world, const MoverDef& def, const Push& push, const Footin
 void land_on(World& world, const MoverDef& def, const Footing& footing, Vec2 normal, Vec2 velocity);
 
 /// Gives a dynamic body the inertia of the mover that stands on it. It does nothing on other
-/// ground.
-void hold_ground(World& world, const MoverDef& def, const MoverState& state);
+/// ground. `dt`: of the step, s.
+void hold_ground(World& world, const MoverDef& def, const MoverState& state, float dt);
 
-/// Gives the weight of the mover to the body on which it stands. `own`: the body of the mover, 0
-/// for none.
+/// Gives the weight of the mover to the body on which it stands. `own`: the body of the
+/// mover, or `none`.
 void press_on_ground(World& world, const MoverDef& def, const Footing& footing, uint32_t own);
 
 }  // namespace fettle::physics::detail

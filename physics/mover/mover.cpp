@@ -2,9 +2,9 @@
 
 #include <checks/arguments.h>
 #include <geometry/trigonometry.h>
+#include <mover/ground_load.h>
 #include <mover/momentum.h>
 #include <mover/moving.h>
-#include <mover/support.h>
 #include <world/world_data.h>
 
 #include <algorithm>
@@ -42,6 +42,7 @@ void Mover::set_position(const Position& position) {
     state_.ground_normal = {};
     state_.ground_velocity = {};
     state_.ground = {};
+    state_.dropped = {};
 }
 
 void Mover::set_state(const MoverState& state) {
@@ -72,14 +73,15 @@ Footing footing_on(const Obstacles& obstacles, const std::optional<Plane>& groun
     return {obstacles[ground->obstacle].body, ground->point};
 }
 
-/// True for a body that hits the mover, whose body stops it.
+/// True if a dynamic body runs into the mover. Then it keeps its contact with the body of the
+/// mover, which stops it.
 bool is_hit(const WorldData& data, const Push& push, float skin) {
     constexpr float fast = 0.5f;  // m/s
     if (push.separation < -0.5f * skin) return true;
     return dot(velocity_of(data, push.body, push.point), push.normal) > fast;
 }
 
-/// Tells the world how the body of a mover moved.
+/// Stores in the world the velocity and the ground of the body of a mover.
 void report_body(WorldData& data, const MoverBody& made) {
     std::vector<MoverBody>& all = data.mover_bodies;
     const auto own = std::lower_bound(all.begin(), all.end(), made.body.index, is_before);
@@ -87,13 +89,16 @@ void report_body(WorldData& data, const MoverBody& made) {
         all.insert(own, made);
         return;
     }
-    if (!own->old)  // it has moved in this step already
-        std::erase_if(data.mover_pairs, [&](auto& pair) { return pair.mover == made.body; });
+    if (!own->old) {  // it has moved in this step already
+        const auto is_own = [&](const auto& each) { return each.mover == made.body; };
+        std::erase_if(data.mover_pairs, is_own);
+        std::erase_if(data.mover_weights, is_own);
+    }
     *own = made;
 }
 
-/// Tells the world with which dynamic bodies the body of a mover has no contact in the next step:
-/// its ground, what it pushes, and the ledges that it may be passing.
+/// Stores in the world the dynamic bodies with which the body of a mover has no contact in the next
+/// step: its ground, what it pushes, and the ledges that it may be passing.
 void report_pairs(WorldData& data, const MoverDef& def, const Footing& footing,
                   const Moving& moving, const Obstacles& obstacles) {
     const auto add = [&](uint32_t other) {
@@ -120,9 +125,9 @@ Ride ride_on(const WorldData& data, const MoverState& state, float dt) {
     return {carrier, motion_of(data, carrier, state.position, dt) + along, along};
 }
 
-/// What the ride lacks on ground that turns: the round foot of an upright mover touches a slope
-/// beside its lowest point. So when the slope changes, the feet stay at their place along the
-/// ground only if the foot keeps its distance from it.
+/// The part of a ride that is due to the turn of the ground. The round foot of an upright mover
+/// touches a slope beside its lowest point. So when the slope changes, the feet stay at their place
+/// along the ground only if the foot keeps its distance from it.
 Vec2 keeps_distance(const WorldData& data, const Obstacles& obstacles, const Capsule& capsule,
                     const Position& feet, uint32_t carrier, float least_cosine, float dt) {
     const auto ground = obstacles.floor_of(carrier, feet, capsule.radius, least_cosine);
@@ -143,7 +148,7 @@ Vec2 motion_along_ground(Vec2 aside, Vec2 normal, float dt) {
     return dt * length(aside) * normalized(along);
 }
 
-/// Moves in parts that are at most half of the radius long.
+/// Moves in parts that are at most half of the radius long, if 2000 parts are enough for that.
 void advance(Moving& moving, Obstacles& obstacles, const Capsule& capsule, Vec2 motion,
              Vec2 ridden) {
     const float longest = max(length(motion), obstacles.farthest_shift());
@@ -155,7 +160,7 @@ void advance(Moving& moving, Obstacles& obstacles, const Capsule& capsule, Vec2 
     }
 }
 
-/// What is below the feet of a mover after its motion. `own`: its body, 0 for none. `stands`: false
+/// What is below the feet of a mover after its motion. `own`: its body, or `none`. `stands`: false
 /// while it climbs or rises; then only the edge of a step that it has climbed is ground.
 std::optional<Plane> ground_after(const WorldData& data, const Obstacles& obstacles, Moving& moving,
                                   uint32_t own, bool stands, Vec2 up) {
@@ -222,6 +227,72 @@ void report_ground(Moved& moved, const Obstacle& below, const Plane& ground,
     moved.ground_velocity = (1.0f / dt) * carried + belt_velocity(data, below.shape, ground.normal);
 }
 
+/// What a mover wants to do in a step, and where it begins.
+struct Plan {
+    Vec2 wanted;  ///< m/s; relative to the ground if it walks
+    Vec2 motion;  ///< m, with that of the ride
+    Ride ride;
+    bool stood, lifts;
+    bool walks;  ///< it stood, and does not leave the ground by itself
+};
+
+Plan plan_of(const World& world, const WorldData& data, const MoverState& state, Vec2 up,
+             Vec2 velocity, float dt) {
+    Plan plan;
+    plan.wanted = bounded(velocity, 1e6f);
+    plan.stood = state.on_ground && !state.climbing;
+    plan.lifts = dot(plan.wanted, up) > 0.05f;
+    plan.walks = plan.stood && !plan.lifts;
+    if (plan.stood && world.is_valid(state.ground)) plan.ride = ride_on(data, state, dt);
+    if (plan.walks) plan.wanted = plan.wanted - dot(plan.wanted, up) * up;
+    plan.motion =
+        plan.walks ? motion_along_ground(plan.wanted, state.ground_normal, dt) : dt * plan.wanted;
+    plan.motion = bounded(plan.motion, 1e6f) + plan.ride.motion;
+    if (length(plan.motion) > most_motion) plan.motion = most_motion * normalized(plan.motion);
+    return plan;
+}
+
+/// Lets the ground carry along what lies on it, and the mover with it.
+void add_turn_of_ground(Plan& plan, const WorldData& data, Obstacles& obstacles,
+                        const Capsule& capsule, const Position& start, float least_cosine,
+                        float dt) {
+    const Vec2 kept =
+        keeps_distance(data, obstacles, capsule, start, plan.ride.carrier, least_cosine, dt);
+    plan.ride.motion = plan.ride.motion + kept;
+    plan.motion = plan.motion + kept;
+    obstacles.take_along(plan.ride.carrier, plan.ride.motion - plan.ride.belt, start);
+}
+
+/// Moves along the planned way, and back onto the ground from which it would go away.
+void follow_plan(const Plan& plan, Moving& moving, Obstacles& obstacles, const Capsule& capsule,
+                 float snap, float dt) {
+    const Vec2 own = dt * plan.wanted + plan.ride.belt;  // the motion that is not the ground's
+    advance(moving, obstacles, capsule, plan.motion,
+            plan.walks ? plan.ride.motion - plan.ride.belt : Vec2{});
+    if (plan.walks && !moving.step && !moving.follow(plan.ride.carrier, snap) && !moving.ground() &&
+        length(own) > dt * least_walk)
+        moving.snap_to_ground(snap);
+}
+
+/// The part of a velocity that the ground gives to a mover with which the mover has moved. If
+/// obstacles stop both it and its walk, they stop the walk first.
+Vec2 as_moved(Vec2 carried, Vec2 walk, Vec2 moved) {
+    const float speed = length(carried);
+    if (!(speed > 0.0f)) return {};
+    const Vec2 direction = (1.0f / speed) * carried;
+    const float planned = speed + min(0.0f, dot(walk, direction));
+    const float lost = max(0.0f, planned - dot(moved, direction));
+    return max(0.0f, speed - lost) * direction;
+}
+
+/// What is known without a move.
+void report_state(Moved& moved, const MoverState& state, World& world, const WorldData& data) {
+    moved.on_ground = state.on_ground;
+    moved.ground_normal = state.ground_normal;
+    moved.ground_velocity = state.ground_velocity;
+    if (data.is_valid(state.ground)) moved.ground = Shape(&world, state.ground);
+}
+
 }  // namespace
 
 Moved Mover::move(World& world, const Vec2& velocity, float dt) {
@@ -230,55 +301,42 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     data.self.may_edit("Mover", "move");
     Moved moved;
     moved.velocity = velocity;
-    if (!(dt > 0.0f) || !std::isfinite(dt)) return moved;
+    if (!(dt > 0.0f) || !std::isfinite(dt)) {
+        report_state(moved, state_, world, data);
+        return moved;
+    }
 
     const Capsule capsule(def_, def_.height);
     Obstacles obstacles(world, def_, capsule);
     const Vec2 up = capsule.up;
     const Position start = state_.position;
-    Vec2 wanted = bounded(velocity, 1e6f);
-    const bool stood = state_.on_ground && !state_.climbing;
-    const bool lifts = dot(wanted, up) > 0.05f;
-    const bool walks = stood && !lifts;
-
     data.read_all();
-    if (stood) hold_ground(world, def_, state_);
-    Ride ride = stood && world.is_valid(state_.ground) ? ride_on(data, state_, dt) : Ride{};
-    if (walks) wanted = wanted - dot(wanted, up) * up;
-    Vec2 motion = walks ? motion_along_ground(wanted, state_.ground_normal, dt) : dt * wanted;
-    motion = bounded(motion, 1e6f) + ride.motion;
-    if (length(motion) > most_motion) motion = most_motion * normalized(motion);
+    if (state_.on_ground && !state_.climbing) hold_ground(world, def_, state_, dt);
+    Plan plan = plan_of(world, data, state_, up, velocity, dt);
+    const Vec2 wanted = plan.wanted;
 
     // Obstacles may deflect the motion to any side.
-    const float margin = def_.step_height + def_.snap + 4.0f * def_.skin + length(motion);
+    const float margin = def_.step_height + def_.snap + 4.0f * def_.skin + length(plan.motion);
     const std::optional<ShapeId> dropped = dropped_in(world, state_);
     const float least_cosine = rotation_of(def_.max_slope).c - 1e-3f;
-    if (!stood && !state_.climbing) obstacles.set_landing(least_cosine);
-    obstacles.find(box_between(capsule, start, start + motion, margin), start, ride.carrier, dt,
-                   dropped);
-    if (walks) {
-        const Vec2 kept =
-            keeps_distance(data, obstacles, capsule, start, ride.carrier, least_cosine, dt);
-        ride.motion = ride.motion + kept;
-        motion = motion + kept;
-        obstacles.take_along(ride.carrier, ride.motion - ride.belt, start);
-    }
+    if (!plan.stood && !state_.climbing) obstacles.set_landing(least_cosine);
+    obstacles.find(box_between(capsule, start, start + plan.motion, margin), start,
+                   plan.ride.carrier, dt, dropped);
+    if (plan.walks) add_turn_of_ground(plan, data, obstacles, capsule, start, least_cosine, dt);
     const MoveSettings settings{.skin = def_.skin,
                                 .least_cosine = least_cosine,
-                                .step_height = walks ? def_.step_height : 0.0f,
-                                .walks = walks};
+                                .step_height = plan.walks ? def_.step_height : 0.0f,
+                                .walks = plan.walks};
     Moving moving(obstacles, capsule, settings, start);
-    advance(moving, obstacles, capsule, motion, walks ? ride.motion - ride.belt : Vec2{});
-    if (walks && !moving.step && !moving.follow(ride.carrier, def_.snap) && !moving.ground() &&
-        length(dt * wanted + ride.belt) > dt * least_walk)
-        moving.snap_to_ground(def_.snap);
-    const uint32_t own = world.is_valid(def_.body) ? def_.body.index : 0;
+    follow_plan(plan, moving, obstacles, capsule, def_.snap, dt);
+    const uint32_t own = world.is_valid(def_.body) ? def_.body.index : none;
     const std::optional<Plane> ground =
-        ground_after(data, obstacles, moving, own, !state_.climbing && !lifts, up);
+        ground_after(data, obstacles, moving, own, !state_.climbing && !plan.lifts, up);
     const Footing footing = footing_on(obstacles, ground);
-    if (footing.body != none && !stood) land_on(world, def_, footing, ground->normal, wanted);
+    if (footing.body != none && !plan.stood) land_on(world, def_, footing, ground->normal, wanted);
     state_.position = moving.position;
-    const Vec2 carried = (1.0f / dt) * ride.motion;
+    const Vec2 carried = (1.0f / dt) * plan.ride.motion;
+    const Vec2 walk = (1.0f / dt) * (plan.motion - plan.ride.motion);
     // A wall that pushes the mover pushes what is in front of it, too.
     const Vec2 free = bounded(velocity, 1e6f) + carried, driven = moving.driven(free, dt);
     moving.find_pushed(dt * driven);
@@ -288,7 +346,7 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     moved.crushed = !moving.has_room();
     report_hits(moved, moving, obstacles, world, data);
 
-    moved.velocity = moving.clipped(wanted + carried);
+    moved.velocity = moving.clipped(wanted + as_moved(carried, walk, moved.motion / dt));
     state_.on_ground = moved.on_ground = ground.has_value();
     state_.ground = {};
     state_.ground_normal = {};
@@ -297,11 +355,13 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
         state_.ground = data.shape_id(data.named_shape(below.shape));
         state_.ground_normal = ground->normal;
         report_ground(moved, below, *ground, moving.position, world, data, dt);
-        const Vec2 relative = stood ? wanted : landing(wanted, moved.ground_velocity, up);
+        if (plan.stood)
+            moved.ground_velocity = as_moved(moved.ground_velocity, walk, moved.motion / dt);
+        const Vec2 relative = plan.stood ? wanted : landing(wanted, moved.ground_velocity, up);
         moved.velocity = kept_on_ground(data, obstacles, moving, relative, up);
     }
     state_.ground_velocity = moved.ground_velocity;
-    if (own != 0 && data.bodies[own].mobility == Mobility::kinematic) {
+    if (own != none && data.bodies[own].mobility == Mobility::kinematic) {
         MoverBody made = {def_.body, {}, moved.velocity + moved.ground_velocity};
         const bool stands = ground && !moved.crushed && !obstacles[ground->obstacle].border;
         if (stands) made.ground = data.body_id(obstacles[ground->obstacle].body);

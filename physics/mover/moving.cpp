@@ -23,7 +23,8 @@ std::vector<Bound> Moving::bounds(Vec2 motion, bool with_distance) const {
     for (const Plane& plane : planes_) {
         // At a distance between half the skin and the skin, the mover stays where it is: if each
         // step pushed it back to the skin, it would move to and fro.
-        // What the body of the mover stops, a ball that rolls against it, does not push it at all.
+        // A dynamic body that is not ground, such as a ball, is stopped by the mover's own body. So
+        // it does not push the mover.
         const bool stopped = obstacles_.stops(plane) && cosine(plane) < settings_.least_cosine;
         const float nearest = stopped ? -0.5f * skin : 0.5f * skin;
         float least = 0.0f;
@@ -56,10 +57,10 @@ float Moving::evasion() const {
     return std::any_of(planes_.begin(), planes_.end(), gives_way) ? least_evasion : most_evasion;
 }
 
-void Moving::record_hits(Vec2 motion, float slack) {
+void Moving::record_hits(Vec2 motion) {
     for (const Plane& plane : planes_) {
         const float into = -dot(plane.normal, motion);
-        if (into <= 1e-6f || into <= plane.separation - settings_.skin + slack) continue;
+        if (into <= 1e-6f || into <= plane.separation - settings_.skin) continue;
         const float up = cosine(plane);
         if (up < -0.3f)
             ceiling = plane;
@@ -82,7 +83,7 @@ void Moving::slide(Vec2 motion) {
     uint32_t kept = none;
     for (int round = 0; round < most_slides; ++round) {
         obstacles_.planes_at(position, reach, kept, planes_);
-        record_hits(motion, 0.0f);
+        record_hits(motion);
         const Vec2 allowed = allowed_motion(motion, bounds(motion, true), evasion());
         const float t = obstacles_.cast(position, allowed, 0.25f * settings_.skin, kept);
         position = position + t * allowed;
@@ -96,7 +97,7 @@ void Moving::find_pushed(Vec2 motion) {
     obstacles_.planes_at(position, settings_.skin, none, planes_);
     std::erase_if(planes_,
                   [this](const Plane& plane) { return !obstacles_[plane.obstacle].leads; });
-    record_hits(motion, 0.0f);
+    record_hits(motion);
 }
 
 void Moving::advance(Vec2 motion, Vec2 ridden) {

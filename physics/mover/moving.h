@@ -31,8 +31,8 @@ class Moving {
            const Position& start)
         : position(start), obstacles_(obstacles), capsule_(capsule), settings_(settings) {}
 
-    /// A part of the motion, at most half of the radius long. `ridden`: what of it is the motion of
-    /// the ground, which is already where it will be.
+    /// A part of the motion, which should be short compared with the radius. `ridden`: what of it
+    /// is the motion of the ground, which is already where it will be.
     void advance(Vec2 motion, Vec2 ridden);
     /// Finds the dynamic bodies within the skin towards which `motion` leads. The mover pushes them
     /// also in a step in which they were as fast as the mover, so no gap opens between them.
@@ -66,7 +66,7 @@ class Moving {
     }
     bool step_up(const Position& start, Vec2 motion);
     bool will_step_up(Vec2 motion);
-    void record_hits(Vec2 motion, float overlap_allowed);
+    void record_hits(Vec2 motion);
     std::vector<Bound> bounds(Vec2 motion, bool with_distance) const;
     float evasion() const;
     bool walkable(const Plane& plane, const Position& floor, Vec2 motion);

@@ -26,14 +26,6 @@ constexpr float push_out_speed = 3.0f;
 /// A body moves by at most this in a step, m.
 constexpr float farthest = 1000.0f;
 
-/// What is known of the mover whose body this is; null if it is none of a mover.
-const MoverBody* mover_of(const WorldData& data, uint32_t body) {
-    if (data.bodies[body].mobility != Mobility::kinematic) return nullptr;
-    const std::vector<MoverBody>& all = data.mover_bodies;
-    const auto found = std::lower_bound(all.begin(), all.end(), body, is_before);
-    return found != all.end() && found->body == data.body_id(body) ? &*found : nullptr;
-}
-
 /// True if a corner of one can be flush with a side of the other throughout the step.
 bool move_alike(const Obstacle& a, const Obstacle& b) {
     if (a.body == b.body) return true;
@@ -42,6 +34,13 @@ bool move_alike(const Obstacle& a, const Obstacle& b) {
 }
 
 }  // namespace
+
+const MoverBody* mover_of(const WorldData& data, uint32_t body) {
+    if (data.bodies[body].mobility != Mobility::kinematic) return nullptr;
+    const std::vector<MoverBody>& all = data.mover_bodies;
+    const auto found = std::lower_bound(all.begin(), all.end(), body, is_before);
+    return found != all.end() && found->body == data.body_id(body) ? &*found : nullptr;
+}
 
 Capsule::Capsule(const MoverDef& def, float tall)
     : up(normalized(def.up)), radius(def.radius), height(max(tall, 2.0f * def.radius)) {
@@ -94,7 +93,8 @@ void Obstacles::find(Box4 box, const Position& position, uint32_t carrier, float
     dt_ = dt;
     data_.read_all();
     float fastest = 0.0f;
-    for (uint32_t i = 1; data_.kinematic_bodies > 0 && i < data_.bodies.size(); ++i) {
+    const bool any = dt > 0.0f && data_.kinematic_bodies > 0;
+    for (uint32_t i = 1; any && i < data_.bodies.size(); ++i) {
         const BodyRecord& body = data_.bodies[i];
         if (data_.body_generations[i] == 0 || body.mobility != Mobility::kinematic) continue;
         const BodyState& state = data_.states[i];
@@ -116,7 +116,7 @@ void Obstacles::find(Box4 box, const Position& position, uint32_t carrier, float
     };
     data_.fixed_tree.query(box, visit);
     data_.moving_tree.query(box, visit);
-    for (uint32_t side = 0; data_.settings.bounds && side < 4; ++side) {
+    for (uint32_t side = 0; data_.settings.bounds && side < border_sides; ++side) {
         if (!is_accepted(data_, filter_, side)) continue;
         const BorderPlane border = border_plane(*data_.settings.bounds, side);
         Obstacle& made = all_.emplace_back();

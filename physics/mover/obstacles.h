@@ -71,14 +71,16 @@ class Obstacles {
   public:
     Obstacles(const World& world, const MoverDef& def, const Capsule& capsule);
 
-    /// Finds the obstacles that overlap a box. Kinematic bodies and `carrier` move in `dt` seconds.
+    /// Finds the obstacles that overlap a box now, or kinematic bodies that may come into it in
+    /// `dt` seconds.
     void find(Box4 box, const Position& position, uint32_t carrier, float dt,
               std::optional<ShapeId> left_out);
     /// For a mover in the air, to be called before `find`: the least cosine of the slope of ground
     /// on which it may land.
     void set_landing(float least_cosine) { landing_cosine_ = least_cosine; }
-    /// What is below the feet on a body moves as they do. What moves alike keeps its distance, also
-    /// where the body turns, which its obstacles do not do within a step.
+    /// Gives all shapes of `body` that are below the feet the motion of the feet. So they keep
+    /// their distance from the feet, although the shapes of a body that turns are only shifted
+    /// here.
     void take_along(uint32_t body, Vec2 motion, const Position& position);
     void set_time(float time);
     /// Must be called when the mover was moved by this distance (m), but not by a `cast`.
@@ -133,6 +135,8 @@ class Obstacles {
     float dt_ = 0.0f;        ///< s: the length of the step; 0: nothing moves
 };
 
+/// What is known of the mover whose body this is; null if it is none of a mover.
+const MoverBody* mover_of(const WorldData& data, uint32_t body);
 /// The order of the bodies of movers in a world.
 inline bool is_before(const MoverBody& mover, uint32_t body) {
     return mover.body.index < body;

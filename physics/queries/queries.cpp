@@ -66,7 +66,7 @@ void cast_all(const WorldData& data, const Position& from, const Position& to,
     };
     data.fixed_tree.cast(from, to, visit);
     data.moving_tree.cast(from, to, visit);
-    for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
+    for (uint32_t side = 0; data.settings.bounds && side < border_sides; ++side) {
         const Probe probe = cast_border(border_plane(*data.settings.bounds, side), from, d);
         if (probe.fraction <= far && is_accepted(data, filter, side)) far = hit(side, probe, far);
     }

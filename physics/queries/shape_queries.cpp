@@ -179,7 +179,7 @@ std::optional<RayHit> cast_parts(WorldData& data, const Sought& sought, Vec2 d,
         };
         data.fixed_tree.query(swept, visit);
         data.moving_tree.query(swept, visit);
-        for (uint32_t side = 0; data.settings.bounds && side < 4; ++side) {
+        for (uint32_t side = 0; data.settings.bounds && side < border_sides; ++side) {
             const BorderPlane plane = border_plane(*data.settings.bounds, side);
             const float t = meets_border(probe, d, plane);
             if (t >= nearest || !is_accepted(data, filter, side)) continue;

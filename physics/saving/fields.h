@@ -203,6 +203,9 @@ void fields(auto& io, Some<MoverBody> auto& s) {
 void fields(auto& io, Some<MoverPair> auto& s) {
     fields_of<MoverPair>(io, s.mover, s.other);
 }
+void fields(auto& io, Some<MoverWeight> auto& s) {
+    fields_of<MoverWeight>(io, s.mover, s.body, s.load);
+}
 void fields(auto& io, Some<ContactUserData> auto& s) {
     fields_of<ContactUserData>(io, s.shape_a, s.shape_b, s.user_data, s.ended);
 }

@@ -176,7 +176,7 @@ Fault check_vertices(const WorldState& data) {
         }
         return free;
     };
-    for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
+    for (uint32_t shape = border_sides; shape < data.shapes.size(); ++shape) {
         const uint32_t size = data.shapes[shape].capacity;
         if (size > 0 && !claim(data.forms[shape].begin, size))
             return "shape " + to_string(shape) + " has the vertices of another one";
@@ -189,7 +189,7 @@ Fault check_vertices(const WorldState& data) {
 
 Fault check_shapes(const WorldState& data) {
     uint32_t live = 0, on_bodies = 0, listed = 0, proxies = 0, sensors = 0, crowded = 0;
-    for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
+    for (uint32_t shape = border_sides; shape < data.shapes.size(); ++shape) {
         const ShapeRecord& record = data.shapes[shape];
         if (data.shape_generations[shape] == 0) {
             if (data.forms[shape].body != none || record.proxy != Tree::none ||

@@ -225,6 +225,9 @@ void check_all(const WorldState& w) {
                 mover.body.index);
         last = mover.body.index;
     }
+    for (const MoverWeight& weight : w.mover_weights)
+        require(is_finite(weight.load.force) && are_finite(weight.load.torque),
+                "the weight of a mover on body", weight.body.index);
     for (const Stay& stay : w.stays)
         require(stay.center.is_finite() && are_finite(stay.angle) && is_amount(stay.time) &&
                     is_amount(stay.far) && is_amount(stay.back) && is_amount(stay.fastest),

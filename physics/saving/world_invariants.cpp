@@ -17,7 +17,7 @@ Fault check_trees(const WorldData& data) {
     if (!data.moving_tree.is_consistent())
         return std::string("the tree of moving shapes is broken");
     uint32_t proxies = 0;
-    for (uint32_t shape = 4; shape < data.shapes.size(); ++shape) {
+    for (uint32_t shape = border_sides; shape < data.shapes.size(); ++shape) {
         if (data.shape_generations[shape] == 0 || data.forms[shape].body == none) continue;
         const ShapeRecord& record = data.shapes[shape];
         if (record.listed || data.bodies[data.forms[shape].body].listed)

@@ -302,7 +302,7 @@ class Squeezes {
         input_.objects.for_each_joint(body, [&](uint32_t slot, uint32_t) {
             const JointRecord& joint = input_.objects.joints[slot];
             const auto separation = joint_kind(joint.type).separation;
-            if (open || separation == nullptr || !joint.moves()) return;
+            if (open || separation == nullptr || !input_.objects.may_act(joint)) return;
             open = separation(joint, place_of(columns_, joint)) > least;
         });
         return open;

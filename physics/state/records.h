@@ -19,6 +19,8 @@
 namespace fettle::physics::detail {
 
 inline constexpr uint32_t none = 0xffffffffu;
+/// The slots of shapes before this are the sides of the border of a world.
+inline constexpr uint32_t border_sides = 4;
 
 /// One sequence of generations for all objects of a world: no value is used twice. 0 is never used.
 struct Generations {
@@ -62,6 +64,13 @@ inline bool is_given(float value) {
 struct Load {
     Vec2 force;           ///< N
     float torque = 0.0f;  ///< N m
+
+    /// The sum stays finite.
+    void add(const Load& other) {
+        constexpr float greatest = std::numeric_limits<float>::max();
+        force = bounded(force + other.force, greatest);
+        torque = bounded(torque + other.torque, greatest);
+    }
 };
 
 /// Switches of a body that the user set, and marks of data that is out of date since an edit.
@@ -386,6 +395,13 @@ struct MoverBody {
 /// contact in the next step, in which the kinematic body would push with an infinite mass.
 struct MoverPair {
     BodyId mover, other;
+};
+
+/// The weight of a mover on the dynamic body on which it stands, in the next step.
+struct MoverWeight {
+    BodyId mover;  ///< its body, if it has one
+    BodyId body;
+    Load load;
 };
 
 /// The user data of the contact of two shapes: World::set_contact_data.

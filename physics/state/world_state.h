@@ -259,8 +259,10 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
     WorldDef settings;
     bool filtered = false;  ///< the last step had a filter, which may have refused pairs
     std::vector<IgnoredPair> ignored_pairs;
-    std::vector<MoverBody> mover_bodies;             ///< of this step or the last, by slot
+    /// The bodies of movers that have moved since the last step, or before it (`old`); by slot.
+    std::vector<MoverBody> mover_bodies;
     std::vector<MoverPair> mover_pairs;              ///< of the moves before the next step
+    std::vector<MoverWeight> mover_weights;          ///< of the moves before the next step
     std::vector<ContactUserData> contact_user_data;  ///< in the order of their pairs
     Strips strips;                                   ///< cuts of the last step
     float last_substep = 0.0f;  ///< s; warm-start impulses are scaled by the ratio of the lengths
@@ -283,7 +285,7 @@ struct WorldState : Columns, ObjectState, BroadPhaseState, ActiveLists {
             named("shapes", s.shape_generations), named("joints", s.joint_generations),
             named("", part<ObjectState>(s), part<BroadPhaseState>(s), part<ActiveLists>(s)),
             named("contacts", s.filtered, s.ignored_pairs, s.mover_bodies, s.mover_pairs,
-                  s.contact_user_data),
+                  s.mover_weights, s.contact_user_data),
             named("events", s.events, s.pending));
     }
 };

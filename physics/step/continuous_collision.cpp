@@ -94,7 +94,7 @@ Box4 path_of(const BodyRecord& body, Vec2 shift) {
 
 bool may_meet_fixed(const FinishInput& in, const Box4& path) {
     if (in.settings.bounds) {
-        for (uint32_t side = 0; side < 4; ++side)
+        for (uint32_t side = 0; side < border_sides; ++side)
             if (overlap(path, in.boxes.fat_boxes[side])) return true;
     }
     return in.boxes.fixed_tree.meets(path);

@@ -21,7 +21,7 @@ void for_each_fixed_on_way(const FinishInput& in, uint32_t body, const Motion& m
             if (may_meet(in, s, other)) visit(s, other);
         };
         in.boxes.fixed_tree.query(swept, meet);
-        for (uint32_t side = 0; in.settings.bounds && side < 4; ++side)
+        for (uint32_t side = 0; in.settings.bounds && side < border_sides; ++side)
             if (overlap(swept, in.boxes.fat_boxes[side])) meet(side);
     });
 }

@@ -115,6 +115,7 @@ class Hit {
         touch.contact = in_.boxes.pairs.find(a, b);
         if (touch.contact == PairSet::absent && !in_.objects.shapes[a].crowded &&
             !in_.objects.shapes[b].crowded) {
+            count_contact(in_.objects, a, b);
             create_contact(in_.list, in_.settings, a, b);
             touch.contact = in_.boxes.pairs.find(a, b);
         }

@@ -1,3 +1,4 @@
+#include <contacts/overlaps/overlaps.h>
 #include <distance/shape_core.h>
 #include <geometry/trigonometry.h>
 #include <state/limits.h>
@@ -29,6 +30,32 @@ bool had_contact(const FinishInput& in, const BodyRecord& body) {
         const ContactRecord& c = in.objects.contacts[contact];
         return !c.sensor && c.manifold.count > 0;
     });
+}
+
+/// True if the body of the shape moves away from a fixed obstacle that it overlaps, and a contact
+/// pushes it out of the body of the other shape in the same direction: it was crushed between them.
+/// If this direction leads deeper into the other body at first, it must not be held there: its
+/// velocity would grow while it stays.
+bool is_leaving(const FinishInput& in, uint32_t shape, const Motion& motion, uint32_t other,
+                const Motion& other_motion) {
+    const uint32_t body = in.objects.forms[shape].body, from = in.objects.forms[other].body;
+    bool leaves_fixed = false, leaves_other = false;
+    in.objects.for_each_contact(body, [&](uint32_t contact) {
+        const ContactRecord& c = in.objects.contacts[contact];
+        if (!c.acts()) return;
+        const uint32_t opposite = in.objects.other_body(contact, body);
+        const ManifoldPoint& point = c.manifold.points[0];
+        const bool is_a = c.body_a == body;
+        Vec2 moved = motion.velocity + cross(motion.turn, is_a ? point.anchor_a : point.anchor_b);
+        if (opposite == from)
+            moved = moved - other_motion.velocity -
+                    cross(other_motion.turn, is_a ? point.anchor_b : point.anchor_a);
+        const bool leaves = dot(normal_towards(body, c), moved) > 0.0f;
+        leaves_other |= leaves && opposite == from;
+        leaves_fixed |= leaves && in.objects.bodies[opposite].mobility == Mobility::fixed &&
+                        overlap_of(c.manifold) > 0.0f;
+    });
+    return leaves_fixed && leaves_other;
 }
 
 }  // namespace
@@ -75,6 +102,7 @@ Impact time_of_impact(const FinishInput& in, uint32_t s, const Motion& motion, u
     }
     // A thick body may have thin pieces.
     if (shape.kind == FormKind::piece && inner < least_depth) return {};
+    if (moves(in, other) && is_leaving(in, s, motion, other, other_motion)) return {};
     // A body with its centroid in the obstacle already goes no deeper.
     const float slip = max(inner, least_depth);
     Impact impact = obstacle.of_point(place(now), place(1.0f), slip);
@@ -87,6 +115,20 @@ bool is_allowed(const FinishInput& in, uint32_t shape, uint32_t other) {
     return in.filter(shape, other);
 }
 
+/// True if one of the shapes is a part of an outline, and another part of it passes through the
+/// other body, which crushes it. Without this, the parts that are inside and have no contact would
+/// stay where they are, although no force holds them.
+bool passes_through(const FinishInput& in, uint32_t shape, uint32_t other) {
+    const ObjectState& objects = in.objects;
+    const auto is_part = [&](uint32_t slot) { return objects.shapes[slot].owner != none; };
+    if (!is_part(shape) && !is_part(other)) return false;
+    const uint32_t body = objects.forms[shape].body, opposite = objects.forms[other].body;
+    return objects.any_contact(objects.bodies[body].lists.first_contact, none, [&](uint32_t i) {
+        const ContactRecord& c = objects.contacts[i];
+        return c.skipped == Skipped::crushed && objects.other_body(i, body) == opposite;
+    });
+}
+
 bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {
     if (in.objects.shapes[shape].surface.sensor || in.objects.shapes[other].surface.sensor ||
         !may_collide(in.objects, {}, shape, other) || !is_allowed(in, shape, other))
@@ -95,7 +137,9 @@ bool may_meet(const FinishInput& in, uint32_t shape, uint32_t other) {
     // (`finish_bodies`).
     if (!in.skips) return true;
     const uint32_t contact = in.boxes.pairs.find(shape, other);
-    return contact == PairSet::absent || in.objects.contacts[contact].skipped == Skipped::no;
+    if (contact != PairSet::absent && in.objects.contacts[contact].skipped != Skipped::no)
+        return false;
+    return !passes_through(in, shape, other);
 }
 
 Box4 swept_box(const FinishInput& in, uint32_t shape, const Motion& motion, float now) {

@@ -132,7 +132,7 @@ void ThreadPool::do_task(uint32_t number) {
     host_tasks_.fetch_sub(1);
 }
 
-/// Lets all other threads return from `serve`.
+/// Lets all other threads return from `run_worker`.
 void ThreadPool::end_round() {
     stop_.store(true);
     turn_.store(word_of(after(round_of(turn_.load())), 0, 0));

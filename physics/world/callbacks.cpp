@@ -105,7 +105,7 @@ class ContactCallbacks {
         for (const uint32_t slot : world_.awake_contacts) {
             ContactRecord& c = world_.contacts[slot];
             enable(c);
-            if (!acts(c)) continue;
+            if (!has_points(c)) continue;
             remix(world_, world_.settings, c);  // changes by a callback are valid for one step only
             if (world_.self.mix) called.push_back(slot);
         }
@@ -192,7 +192,7 @@ class ContactCallbacks {
             ContactRecord& c = world_.contacts[slot];
             const size_t i = ignored_pair_of(c);
             if (i == pairs.size() || c.sensor) continue;
-            if (acts(c)) {
+            if (has_points(c)) {
                 near[i] = true;
                 skip_contact(world_.touching(), slot, Skipped::by_callback);
             } else {
@@ -236,7 +236,7 @@ class ContactCallbacks {
             world_.bodies[body].lists.first_contact, none, [&](uint32_t slot) {
                 const ContactRecord& c = world_.contacts[slot];
                 const uint32_t a = world_.named_shape(c.shape_a), b = world_.named_shape(c.shape_b);
-                return c.awake_index == none && acts(c) &&
+                return c.awake_index == none && has_points(c) &&
                        ((a == pair.shape_a.index && b == pair.shape_b.index) ||
                         (b == pair.shape_a.index && a == pair.shape_b.index));
             });
@@ -254,7 +254,8 @@ class ContactCallbacks {
                world_.shapes[c.shape_b].surface.before_solve;
     }
 
-    static bool acts(const ContactRecord& c) { return !c.sensor && c.manifold.count > 0; }
+    /// It touches, also if a callback has skipped it.
+    static bool has_points(const ContactRecord& c) { return !c.sensor && c.manifold.count > 0; }
 
     uint64_t pair_of(const ContactRecord& c) const {
         const uint32_t a = world_.named_shape(c.shape_a), b = world_.named_shape(c.shape_b);
@@ -263,7 +264,7 @@ class ContactCallbacks {
     void list_parts() {
         for (uint32_t i = 0; i < world_.awake_contacts.size(); ++i) {
             const ContactRecord& c = world_.contacts[world_.awake_contacts[i]];
-            if (acts(c) && is_of_outline(world_, c)) parts_.push_back({pair_of(c), i});
+            if (c.acts() && is_of_outline(world_, c)) parts_.push_back({pair_of(c), i});
         }
         std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
             return a.pair != b.pair ? a.pair < b.pair : a.at < b.at;
@@ -399,7 +400,7 @@ void WorldData::end_moves() {
 }
 
 void WorldData::search_all_pairs() {
-    for (uint32_t shape = 4; shape < shapes.size(); ++shape)
+    for (uint32_t shape = border_sides; shape < shapes.size(); ++shape)
         if (shape_generations[shape] != 0 && forms[shape].body != none) change<mark_moved>(shape);
 }
 
@@ -453,7 +454,9 @@ void World::ignore_until_separated(const Shape& a, const Shape& b) {
 void World::set_mixing(ContactCallback mix) {
     WorldData& data = edit(__func__);
     std::swap(data.self.mix, mix);
-    remix_all(data);
+    // Another callback changes the contacts in the next step. Until then they stay, so that a copy
+    // of a world that gets the callback of the original goes on like the original.
+    if (!data.self.mix) remix_all(data);
 }
 void World::set_parallel_callbacks(bool parallel) {
     edit(__func__).self.parallel_callbacks = parallel;
@@ -467,7 +470,7 @@ void World::refresh() {
 void World::set_before_solve(ContactCallback callback) {
     WorldData& data = edit(__func__);
     std::swap(data.self.before_solve, callback);
-    remix_all(data);
+    if (!data.self.before_solve) remix_all(data);
 }
 
 }  // namespace fettle::physics

@@ -223,10 +223,21 @@ void WorldData::store_results(const SubSteps& sub, const JointStep& joint_step, 
                           events);
 }
 
+void WorldData::apply_mover_weights() {
+    for (const MoverWeight& weight : mover_weights) {
+        if (!is_valid(weight.body)) continue;
+        BodyRecord& record = bodies[weight.body.index];
+        const bool moves = record.mobility == Mobility::dynamic && record.solver_index != 0;
+        if (moves) record.step_load.add(weight.load);
+    }
+    mover_weights.clear();
+}
+
 void WorldData::begin_step() {
     if (lacks_refused_pairs()) search_all_pairs();
     filtered = bool(self.filter);
     detail::refresh(editing());
+    apply_mover_weights();
     clear_ended_contacts();
     std::swap(events, pending);
     const auto clear = [](auto& list) { list.clear(); };

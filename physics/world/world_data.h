@@ -132,9 +132,10 @@ struct WorldData : WorldState, StepScratch {
     /// To be called when a step is over.
     void call_position_functions(float dt);
 
-    // step.cpp
+    // step_order.cpp
     void step(float dt);
     void begin_step();
+    void apply_mover_weights();
     /// The data of bodies that the solver reads.
     void gather_objects(const SubSteps& sub, float dt);
     JointStep prepare_constraints(const SubSteps& sub, float dt);

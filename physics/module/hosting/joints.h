@@ -26,6 +26,7 @@ struct Ties {
     std::array<Handle, 2> bodies;  // null: the world. A MouseJoint uses only the second one
     Source source = Source::none;
 };
+static_assert(sizeof(Ties) == 2 * sizeof(Handle) + sizeof(Source));  // snapshots contain its bytes
 
 class Joints {
   public:

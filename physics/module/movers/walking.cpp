@@ -146,23 +146,28 @@ void remember_left_ground(MoverRecord& record, bool stood, const Vec2& ground, c
     set_left_ground(result, std::clamp(base, std::min(0.0f, along), std::max(0.0f, along)) * right);
 }
 
+/// Its ground, and what it falls through, are not those of its place now.
+void leave_place(MoverResult& result) {
+    result.on_ground = 0;
+    result.ground = result.dropped = {};
+    set_left_ground(result, {});
+}
+
 void move_one(HostedWorld& in, std::uint32_t slot, float dt) {
     physics::Body body =
         in.world.body({slot, physics::HostAccess::body_generation(in.world, slot)});
     if (body.type() != physics::BodyType::kinematic_body || !body.enabled()) {
         MoverRecord record = in.movers.get(slot);
-        record.result.on_ground = record.result.on_wall = record.result.on_ceiling =
+        leave_place(record.result);
+        record.result.on_wall = record.result.on_ceiling = record.result.crushed =
             record.events.happened = 0;
-        record.result.ground = {};
         in.movers.set(slot, record);
         return;
     }
     adapt_capsule(in, slot);
     MoverRecord record = in.movers.get(slot);
     if (was_moved(record.result, body.position())) {
-        record.result.on_ground = 0;
-        record.result.ground = {};
-        set_left_ground(record.result, {});
+        leave_place(record.result);
     }
     const MoverRecord before = record;
     const Vec2 up = body.world_vector({0.0f, 1.0f});

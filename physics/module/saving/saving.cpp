@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include <hosting/hosting.h>
-#include <saving/flags.h>
+#include <saving/optionals.h>
 #include <saving/rows.h>
 
 namespace fettle::physics_module {
@@ -33,6 +33,28 @@ Departed get_departed(property::ByteReader& from) {
     return departed;
 }
 
+void put_looks(property::ByteWriter& to, const std::vector<Look>& looks) {
+    to.put(std::uint64_t{looks.size()});
+    for (const Look& look : looks) {
+        put_optional(to, look.fill);
+        put_optional(to, look.border);
+        to.put(std::uint8_t{look.visible});
+        to.put(std::uint8_t{look.orientation_mark});
+    }
+}
+
+std::vector<Look> get_looks(property::ByteReader& from) {
+    std::vector<Look> looks;
+    for (std::size_t n = from.count(2 * sizeof(property::Color) + 4); n > 0; --n) {
+        Look& look = looks.emplace_back();
+        look.fill = get_optional<property::Color>(from);
+        look.border = get_optional<property::Color>(from);
+        look.visible = from.boolean();
+        look.orientation_mark = from.boolean();
+    }
+    return looks;
+}
+
 /// Data of a hosted world in addition to its physics::World.
 struct ModuleData {
     Handle self;
@@ -46,7 +68,6 @@ struct ModuleData {
 };
 
 bool is_color(const std::optional<property::Color>& color) {
-    if (!has_valid_flag(color)) return false;
     if (!color) return true;
     const auto is_channel = [](float value) { return value >= 0.0f && value <= 1.0f; };
     return is_channel(color->r) && is_channel(color->g) && is_channel(color->b) &&
@@ -57,9 +78,9 @@ void save_module_data(property::ByteWriter& to, const HostedWorld& hosted) {
     to.put(hosted.self);
     to.put(std::uint8_t{hosted.placed});
     to.put(std::uint8_t{hosted.unreported});
-    to.put(hosted.looks.all());
-    to.put(hosted.body_colors.all());
-    to.put(hosted.velocities.all());
+    put_looks(to, hosted.looks.all());
+    put_optionals(to, hosted.body_colors.all());
+    put_optionals(to, hosted.velocities.all());
     to.put(hosted.ties.all());
     to.put(hosted.movers.all());
     put(to, hosted.departed_bodies);
@@ -71,19 +92,16 @@ ModuleData read_module_data(property::ByteReader& from) {
     data.self = from.get<Handle>();
     data.placed = from.boolean();
     data.unreported = from.boolean();
-    data.looks = from.list<Look>();
-    data.body_colors = from.list<std::optional<property::Color>>();
-    data.velocities = from.list<std::optional<physics::Vec2>>();
+    data.looks = get_looks(from);
+    data.body_colors = get_optionals<property::Color>(from);
+    data.velocities = get_optionals<physics::Vec2>(from);
     data.ties = from.list<Ties>();
     data.movers = from.list<MoverRecord>();
     for (const Look& look : data.looks)
-        from.require(is_color(look.fill) && is_color(look.border) && is_flag(look.visible) &&
-                         is_flag(look.orientation_mark),
-                     "a look");
+        from.require(is_color(look.fill) && is_color(look.border), "a look");
     for (const auto& color : data.body_colors) from.require(is_color(color), "a color");
     for (const auto& velocity : data.velocities)
-        from.require(has_valid_flag(velocity) && (!velocity || velocity->is_finite()),
-                     "a velocity");
+        from.require(!velocity || velocity->is_finite(), "a velocity");
     for (const Ties& ties : data.ties)
         from.require(ties.source <= Source::given, "the source of a measured value");
     from.require(are_valid(data.movers), "a mover");

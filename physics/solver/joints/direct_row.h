@@ -134,17 +134,16 @@ class RowWriter {
         row.high = double(greatest);
         return row;
     }
-    DirectRow& spring(const Jacobian& jacobian, const Spring& spring, float mass, float error,
-                      float& impulse) {
-        DirectRow& row = elastic(jacobian, spring, mass, error);
+    DirectRow& spring(const Jacobian& jacobian, const Spring& spring, float error, float& impulse) {
+        DirectRow& row = elastic(jacobian, spring, error);
         row.kept = &impulse;
         row.impulse = double(impulse);
         freeze_unless_biased(row);
         return row;
     }
     /// Two springs that are the components of a vector with a maximum length.
-    void springs(const JointEnds& ends, const Spring& spring, const PointMass& mass, Vec2 error,
-                 float greatest, Vec2& impulse);
+    void springs(const JointEnds& ends, const PointSpring& spring, Vec2 error, float greatest,
+                 Vec2& impulse);
     /// Two rows that drive the velocity of the anchors.
     void motors(const JointEnds& ends, Vec2 speed, float greatest, Vec2& impulse);
 
@@ -179,17 +178,16 @@ class RowWriter {
         return sum;
     }
     /// `Spring::impulse` as a row: the impulse that the spring itself would not change any more.
-    DirectRow& elastic(const Jacobian& jacobian, const Spring& spring, float mass, float error) {
+    DirectRow& elastic(const Jacobian& jacobian, const Spring& spring, float error) {
         DirectRow& row = rows_.emplace_back();
         row.jacobian = jacobian;
         const double inverse = inverse_mass(jacobian);
         const double most = inverse > 0.0 ? rigidity / inverse : 0.0;
-        const double scale = double(mass) / double(spring.impulse_scale);
-        row.stiffness = scale * double(spring.mass_scale);
-        row.push = scale * double(spring.push) * double(error);
+        row.stiffness = double(spring.resistance);
+        row.push = double(spring.push) * double(error);
         if (row.stiffness <= most) return row;
         // Stiffer than a rigid row. At the limit of single precision it holds the position at once.
-        const double rate = double(spring.push) / double(spring.mass_scale);
+        const double rate = double(spring.push) / double(spring.resistance);
         row.stiffness = most;
         row.push = most * double(error) * (rate * h_ <= 1.0 ? rate : 1.0 / h_);
         return row;
@@ -216,37 +214,40 @@ class RowWriter {
     DirectPass pass_;
 };
 
-/// The axes along which a spring at a point oscillates independently: eigenvectors of the inverse
-/// mass at the point.
+/// The axes along which a spring at a point is damped independently: eigenvectors of its
+/// resistance.
 struct PointAxes {
     Vec2 first = {1.0f, 0.0f}, second = {0.0f, 1.0f};
-    float first_mass = 0.0f, second_mass = 0.0f;
+    float of_first = 0.0f, of_second = 0.0f;
 
-    static PointAxes of(const PointMass& m) {
+    static PointAxes of(const PointInverse& m) {
         const float half = 0.5f * (m.xx - m.yy), radius = std::sqrt(half * half + m.xy * m.xy);
         const float middle = 0.5f * (m.xx + m.yy);
         PointAxes axes;
-        axes.first_mass = middle + radius;
-        axes.second_mass = middle - radius;
+        axes.of_first = middle + radius;
+        axes.of_second = middle - radius;
         if (radius > 1e-6f * middle) {
             axes.first =
                 half > 0.0f ? normalized({half + radius, m.xy}) : normalized({m.xy, radius - half});
             axes.second = {-axes.first.y, axes.first.x};
+        } else {
+            axes.of_first = axes.of_second = middle;
         }
         return axes;
     }
 };
 
-inline void RowWriter::springs(const JointEnds& ends, const Spring& spring, const PointMass& mass,
-                               Vec2 error, float greatest, Vec2& impulse) {
-    const PointAxes axes = PointAxes::of(mass);
-    const auto add = [&](Vec2 axis, float along, int circle) {
-        DirectRow& row = elastic(Jacobian::at_anchors(ends, axis), spring, along, dot(axis, error));
+inline void RowWriter::springs(const JointEnds& ends, const PointSpring& spring, Vec2 error,
+                               float greatest, Vec2& impulse) {
+    const PointAxes axes = PointAxes::of(spring.resistance);
+    const auto add = [&](Vec2 axis, float resistance, int circle) {
+        DirectRow& row =
+            elastic(Jacobian::at_anchors(ends, axis), {spring.push, resistance}, dot(axis, error));
         pair_up(row, circle, axis, greatest, impulse);
         freeze_unless_biased(row);
     };
-    add(axes.first, axes.first_mass, 1);
-    add(axes.second, axes.second_mass, -1);
+    add(axes.first, axes.of_first, 1);
+    add(axes.second, axes.of_second, -1);
 }
 
 inline void RowWriter::motors(const JointEnds& ends, Vec2 speed, float greatest, Vec2& impulse) {

@@ -34,6 +34,9 @@ struct JointSource {
                           body_a.flags.locked_y ? 0.0f : mass_a};
         ends.inverse_b = {body_b.flags.locked_x ? 0.0f : mass_b,
                           body_b.flags.locked_y ? 0.0f : mass_b};
+        for (const BodyRecord* body : {&body_a, &body_b})
+            if (body->mobility == Mobility::dynamic)
+                ends.joints = std::max(ends.joints, body->lists.joint_count);
         return ends;
     }
 

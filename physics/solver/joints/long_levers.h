@@ -11,10 +11,11 @@
 // A contact turns a small body about its own center. But if a joint holds it at a lever r that is
 // much longer than the body, it can hardly turn so: the other body would have to follow with the
 // inertia μ·r², where μ is the reduced mass of both. One sweep over contacts and joints does not
-// find this out: a crate of 0.6 m that fell on a corner turned at 15 rad/s for a sub-step, which
-// moved an anchor 30 m from it by 2 m, and the force of the joint, whose line had moved as far,
-// turned it faster in the next one. So such a body turns as if its moment of inertia were at
-// least μ·r²/100. The motion of both bodies together hardly changes, because it has about μ·r².
+// converge to that motion: a crate of 0.6 m that fell on a corner turned at 15 rad/s for a
+// sub-step, which moved an anchor 30 m from it by 2 m, and the force of the joint, whose line had
+// moved as far, turned it faster in the next one. So such a body turns as if its moment of inertia
+// were at least μ·r²/100. The motion of both bodies together hardly changes, because it has about
+// μ·r².
 //
 // Where a joint corrects the angle of such a body, what is far from it moves with the lever. So its
 // speed has a limit, too.

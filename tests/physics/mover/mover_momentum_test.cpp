@@ -286,4 +286,167 @@ TEST_CASE("a field elsewhere in the world changes no weight of a mover") {
     CHECK(force == Approx((80 + 5) * 10).margin(20));
 }
 
+TEST_CASE("two movers on one platform both weigh on it") {
+    const bool with_bodies = GENERATE(false, true);
+    World world;
+    Body lift = add_box(world, {0, 0}, 4, 0.2f, 20);
+    world.create_prismatic_joint(
+        {.body_b = lift.id(), .anchor_a = {0, 0}, .axis = {0, 1}, .hertz = 3, .damping_ratio = 1});
+    const float frame = 1 / 60.0f;
+    Hero left(world, {.mass = 60}, {-1, 0.2f}, with_bodies);
+    Hero right(world, {.mass = 60}, {1, 0.2f}, with_bodies);
+    for (int i = 0; i < 240; ++i) {
+        left.move(world, frame);
+        right.move(world, frame);
+        world.step(frame);
+    }
+    const float turn = 2 * 3.14159265f * 3;
+    CHECK(float(lift.position().y) ==
+          Approx(-(60 + 60 + 20) * 10 / (turn * turn * 20)).epsilon(0.05));
+}
+
+TEST_CASE("ground without friction gives way alike to both sides") {
+    const auto fall = [](float side) {
+        World world;
+        add_floor(world, 50, {.friction = 0});
+        Body crate = world.create_body({.position = {0, 0.6f}});
+        crate.add(Box{1, 1}, {.density = 3, .friction = 0});
+        Hero hero(world, {.mass = 30}, {0.45f * side, 1.15f});
+        for (int i = 0; i < 60; ++i) {
+            hero.move(world, 1 / 60.0f);
+            world.step(1 / 60.0f);
+        }
+        return Vec2(side * float(crate.position().x), side * crate.angle());
+    };
+    const Vec2 left = fall(-1), right = fall(1);
+    CHECK(left.x == Approx(right.x).margin(1e-3));
+    CHECK(left.y == Approx(right.y).margin(1e-3));
+}
+
+TEST_CASE("a mover that is put elsewhere does not go on falling through what it dropped through") {
+    World world;
+    Body level = world.create_body({.type = BodyType::static_body});
+    level.add(Chain{{{-20, 0}, {20, 0}}});
+    Hero hero(world, {}, {0, 0.01f}, false);
+    for (int i = 0; i < 5; ++i) hero.move(world, 1 / 60.0f);
+    REQUIRE(hero.mover.drop(world));
+    hero.mover.set_position({5, 0.05f});
+    hero.velocity = {};
+    for (int i = 0; i < 60; ++i) hero.move(world, 1 / 60.0f);
+    CHECK(hero.mover.on_ground());
+    CHECK(float(hero.mover.position().y) > -0.02f);
+}
+
+TEST_CASE("a plank whose joint leads to a disabled body falls and carries no mover") {
+    World world;
+    Body post = world.create_body({.type = BodyType::static_body, .position = {-2, 0}});
+    post.add(Box{0.2f, 0.2f});
+    Body plank = add_box(world, {0, 0}, 4, 0.2f, 20);
+    world.create_weld_joint({.body_a = post.id(), .body_b = plank.id(), .anchor_b = {-2, 0}});
+    Hero hero(world, {}, {0, 0.12f});
+    const float frame = 1 / 60.0f;
+    for (int i = 0; i < 30; ++i) {
+        hero.move(world, frame);
+        world.step(frame);
+    }
+    CHECK(hero.mover.on_ground());
+    post.set_enabled(false);
+    for (int i = 0; i < 5; ++i) {
+        hero.move(world, frame);
+        world.step(frame);
+    }
+    CHECK_FALSE(hero.mover.on_ground());
+}
+
+TEST_CASE("a move of no time has the ground of the last move") {
+    World world;
+    add_floor(world);
+    Hero hero(world, {}, {0, 0.01f}, false);
+    const Moved last = hero.move(world, 1 / 60.0f);
+    REQUIRE(last.on_ground);
+    const float dt = GENERATE(0.0f, -1.0f, NAN);
+    const Moved paused = hero.mover.move(world, {1, 0}, dt);
+    CHECK(paused.on_ground);
+    CHECK(paused.ground == last.ground);
+    CHECK(paused.ground_normal == last.ground_normal);
+    CHECK(paused.velocity == Vec2(1, 0));
+    CHECK(paused.motion == Vec2(0, 0));
+}
+
+TEST_CASE("a weight that waits for a body that was put to sleep is gone when the body wakes") {
+    World world;
+    add_floor(world);
+    Body crate = add_box(world, {0, 0.5f}, 1, 1, 50);
+    run(world, 0.1f);
+    Hero hero(world, {}, {0, 1.02f}, false);
+    hero.move(world, 1 / 60.0f);
+    REQUIRE(hero.mover.on_ground());
+    crate.set_awake(false);
+    for (int i = 0; i < 3; ++i) world.step(1 / 60.0f);
+    crate.set_awake(true);
+    crate.set_position({20, 5});
+    crate.set_velocity({});
+    world.step(1 / 60.0f);
+    CHECK(crate.velocity().y == Approx(-10 / 60.0f).margin(0.01));
+}
+
+namespace {
+
+/// The greatest speed upwards of a mover that falls into a room of bodies, or walks in it, and
+/// never jumps, m/s.
+float lift_in_heap(unsigned seed, bool walks) {
+    Random random{std::mt19937(seed)};
+    const float dt = 1 / rate_of(seed), half = walks ? 6.0f : 2.5f;
+    World world;
+    Body fixed = add_floor(world, 50.0f);
+    for (const float side : {-1.0f, 1.0f})
+        fixed.add(Box{.width = 1, .height = 20, .center = {side * (half + 0.5f), 9}});
+    const int count = int(random(3, 14));
+    const float density = std::exp(random(-3, 3));
+    for (int i = 0; i < count; ++i) {
+        const float x = random(-half + 0.6f, half - 0.6f);
+        Body body = world.create_body({.position = {x, 0.7f + 0.5f * float(i)}});
+        const float size = random(0.2f, 0.6f), flat = random(0.5f, 1);
+        const bool round = walks && random(0, 1) < 0.5f;
+        if (round)
+            body.add(Circle{size}, {.density = density});
+        else
+            body.add(Box{.width = 2 * size, .height = 2 * size * flat}, {.density = density});
+    }
+    for (float time = 0; time < 4; time += dt) world.step(dt);
+    const float mass = std::exp(random(2.3f, 5.7f)), x = random(1 - half, half - 1);
+    Hero hero(world, {.mass = mass}, {x, walks ? 8.0f : random(6, 14)});
+    float fastest = 0.0f, walk = 0.0f;
+    for (float time = 0; time < 8; time += dt) {
+        if (walks && random(0, 1) < dt) walk = random(-6, 6);
+        hero.move(world, dt, walk);
+        if (!hero.mover.on_ground()) fastest = std::max(fastest, hero.velocity.y);
+        world.step(dt);
+    }
+    return fastest;
+}
+
+}  // namespace
+
+TEST_CASE("a mover that only stands on crates in a pit is not thrown up") {
+    for (unsigned seed = 1; seed <= 90; ++seed) {
+        if (!is_tested(seed, 6)) continue;
+        INFO("seed " << seed);
+        CHECK(lift_in_heap(seed, false) < 3);
+    }
+}
+
+TEST_CASE("a mover that walks through a heap leaves it upwards no faster than up a slope") {
+    int thrown = 0, all = 0;
+    for (unsigned seed = 1; seed <= 90; ++seed) {
+        if (!is_tested(seed, 6)) continue;
+        const float speed = lift_in_heap(seed, true);
+        INFO("seed " << seed);
+        CHECK(speed < 12);
+        thrown += speed > 5;
+        ++all;
+    }
+    CHECK(thrown <= all / 6);
+}
+
 }  // namespace mover_momentum_test

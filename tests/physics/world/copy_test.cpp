@@ -177,4 +177,26 @@ TEST_CASE("a state with refused pairs goes through a world without the filter an
     CHECK(taker.hash() == world.hash());
 }
 
+TEST_CASE("a copy that gets the callbacks of the original goes on like it") {
+    const bool mixes = GENERATE(false, true);
+    const auto rough = [](ContactEdit& edit) {
+        edit.friction = 0.1f * float((edit.shape_a.index() + edit.shape_b.index()) % 9);
+    };
+    World world;
+    add_heap(world);
+    const auto set = [&](World& each) {
+        if (mixes)
+            each.set_mixing(rough);
+        else
+            each.set_before_solve(rough);
+    };
+    set(world);
+    for (const Shape& shape : world.shapes()) Shape(shape).set_before_solve(true);
+    run(world, 0.6f);
+    World copy = world.clone();
+    set(copy);
+    for (World* each : {&world, &copy}) run(*each, 0.5f);
+    CHECK(copy.hash() == world.hash());
+}
+
 }  // namespace copy_test

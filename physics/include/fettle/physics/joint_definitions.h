@@ -9,8 +9,10 @@
 // designated initializers. They begin with the members of `JointDef`, which converts to each of
 // them. A lower limit above the upper one throws std::invalid_argument with both numbers; the
 // functions of a handle set one at a time, and accept it. The handles (joint.h, sliding_joints.h,
-// coupling_joints.h) describe the values. A spring with a higher `hertz` than a fifth of the rate
-// of sub-steps acts with that: 48 Hz, if a step of 1/60 s has four.
+// coupling_joints.h) describe the values. `hertz` and `damping_ratio` of a spring are those of the
+// two bodies, drawn at their centers: its stiffness is (2π·hertz)² times their reduced mass, or
+// their reduced inertia for an angle, in every pose. A spring with a higher `hertz` than a fifth of
+// the rate of sub-steps acts with that: 48 Hz, if a step of 1/60 s has four.
 
 FETTLE_PHYSICS_BEGIN
 

@@ -13,15 +13,19 @@ namespace fettle::physics {
 /// Settings of a mover. Its form is an upright capsule. The position of a mover is the lowest point
 /// of this capsule: its feet.
 struct MoverDef {
-    float radius = 0.4f;           ///< m, 0.01 … 1000
-    float height = 1.8f;           ///< m, at least twice the radius, at most 1000
-    Vec2 up = {0.0f, 1.0f};        ///< direction from its feet to its head; of any length but 0
-    float max_slope = 0.87f;       ///< rad, 0 … 1.5: steeper ground is a wall
-    float step_height = 0.3f;      ///< m: it climbs steps up to this height, to 1 mm
-    float snap = 0.25f;            ///< m: walking, it follows ground that is lower by at most this
-    float skin = 0.01f;            ///< m, 0.001 … 0.1: distance that it keeps from obstacles
-    float mass = 80.0f;            ///< kg, for dynamic bodies, for light ones less; 0: no weight
-    float push_force = 600.0f;     ///< N: at most this pushes a dynamic body, and its ground back
+    float radius = 0.4f;       ///< m, 0.01 … 1000
+    float height = 1.8f;       ///< m, at least twice the radius, at most 1000
+    Vec2 up = {0.0f, 1.0f};    ///< direction from its feet to its head; of any length but 0
+    float max_slope = 0.87f;   ///< rad, 0 … 1.5: steeper ground is a wall
+    float step_height = 0.3f;  ///< m: it climbs steps up to this height, to 1 mm
+    float snap = 0.25f;        ///< m: walking, it follows ground that is lower by at most this
+    float skin = 0.01f;        ///< m, 0.001 … 0.1: distance that it keeps from obstacles
+    /// kg: its weight and its inertia on dynamic bodies; a light body gets a part of the weight.
+    /// 0: neither.
+    float mass = 80.0f;
+    /// N: the greatest force with which it pushes a dynamic body; a dynamic body on which it stands
+    /// gets the opposite force.
+    float push_force = 600.0f;
     uint64_t category = 1;         ///< categories of the mover: as `ShapeDef::category`
     uint64_t mask = ~uint64_t{0};  ///< categories of the shapes that are obstacles
     int32_t group = 0;             ///< as `ShapeDef::group`
@@ -45,7 +49,7 @@ struct MoverPlane {
 struct MoverState {
     Position position = {};     ///< of its feet, m
     Vec2 ground_normal = {};    ///< zero in the air
-    Vec2 ground_velocity = {};  ///< of the ground at its feet, m/s; zero in the air
+    Vec2 ground_velocity = {};  ///< with which its ground carries it, m/s; zero in the air
     ShapeId ground = {};        ///< the shape on which it stands
     ShapeId dropped = {};       ///< the shape through which it falls until it no longer overlaps it
     bool on_ground = false;     ///< after the move: it stands
@@ -60,15 +64,16 @@ struct Moved {
     /// to the world: a mover that leaves its ground keeps the velocity of that ground,
     /// and one that lands is not faster relative to the ground than it was before.
     Vec2 velocity = {};
-    bool on_ground = false;     ///< after the move: it stands
-    Vec2 ground_normal = {};    ///< zero in the air
-    Vec2 ground_velocity = {};  ///< of the ground at its feet, m/s
-    Shape ground;               ///< the shape below its feet; empty in the air
-    bool hit_wall = false;      ///< it was stopped by a wall
-    bool hit_ceiling = false;   ///< it was stopped by a ceiling
-    Vec2 wall_normal = {};      ///< of the last wall or ceiling that it hit
-    Shape wall;                 ///< the last wall or ceiling that it hit
-    bool stepped = false;       ///< it climbed a step
+    bool on_ground = false;   ///< after the move: it stands
+    Vec2 ground_normal = {};  ///< zero in the air
+    /// Of the ground at its feet, without the part that walls keep from it, m/s.
+    Vec2 ground_velocity = {};
+    Shape ground;              ///< the shape below its feet; empty in the air
+    bool hit_wall = false;     ///< it was stopped by a wall
+    bool hit_ceiling = false;  ///< it was stopped by a ceiling
+    Vec2 wall_normal = {};     ///< of the last wall or ceiling that it hit
+    Shape wall;                ///< the last wall or ceiling that it hit
+    bool stepped = false;      ///< it climbed a step
     /// True if it has no room between obstacles: it overlaps one.
     bool crushed = false;
 };
@@ -101,8 +106,9 @@ class Mover {
     const MoverState& state() const { return state_; }  ///< what it keeps from one move to the next
     /// For hosts that save movers. Ids of shapes that do not exist count as empty.
     void set_state(const MoverState& state);
-    const Position& position() const { return state_.position; }        ///< of its feet, m
-    void set_position(const Position& position);                        ///< it leaves the ground
+    const Position& position() const { return state_.position; }  ///< of its feet, m
+    /// It leaves the ground, and the shape through which it falls.
+    void set_position(const Position& position);
     bool on_ground() const { return state_.on_ground; }                 ///< after the last move
     const Vec2& ground_normal() const { return state_.ground_normal; }  ///< zero in the air
     ShapeId ground() const {
@@ -115,7 +121,8 @@ class Mover {
     /// Moves it by `velocity` · `dt` and by the motion of the ground. To be called before
     /// `World::step(dt)`: it goes to where kinematic bodies will be after the step, and applies its
     /// weight and its pushes to dynamic bodies. `velocity` is relative to the ground if it stands,
-    /// otherwise to the world, m/s; a part along `up` lifts it off. It does nothing unless dt > 0.
+    /// otherwise to the world, m/s; a part along `up` lifts it off. It does nothing unless dt > 0;
+    /// then the results are those of the last move, with the given velocity and without hits.
     /// Throws `Locked` inside a function that the world is calling.
     Moved move(World& world, const Vec2& velocity, float dt);
     /// It falls through the ledge or the chain on which it stands. False if it stands on none.

@@ -174,4 +174,191 @@ TEST_CASE("a spring at the end of a bar that turns gives it no energy") {
     CHECK(most < 1.5);
 }
 
+namespace {
+
+/// Two plates without contact, and joints between them whose anchors are beside the centers.
+struct Pair {
+    World world;
+    Body a, b;
+    JointDef ends;
+    Vec2 axis;
+
+    Pair(Random& random, Solver solver, bool meet)
+        : world({.gravity = {0, 0}, .sleeping = false, .solver = solver}) {
+        for (Body* body : {&a, &b}) {
+            const Vec2 at = body == &a ? Vec2{0, 0} : Vec2{random(-1, 1), random(-1, 1)};
+            const Vec2 velocity = {random(-3, 3), random(-3, 3)};
+            *body = world.create_body(
+                {.position = at, .velocity = velocity, .angular_velocity = random(-3, 3)});
+            body->add(Box{.width = random(0.6f, 1), .height = 0.4f},
+                      {.density = std::exp(random(-1, 3)), .mask = 0});
+        }
+        const Vec2 of_a = {random(-0.3f, 0.3f), random(-0.2f, 0.2f)};
+        const Vec2 of_b = {random(-0.3f, 0.3f), random(-0.2f, 0.2f)};
+        ends = {.body_a = a.id(),
+                .body_b = b.id(),
+                .anchor_a = of_a,
+                .anchor_b = meet ? Vec2(b.local_point(a.world_point(of_a))) : of_b};
+        const float aside = random(-1, 1);
+        axis = {aside, 1};
+    }
+    template <class Def>
+    Def spring(float hertz, float damping_ratio, bool with_axis = false) const {
+        Def def = ends;
+        def.hertz = hertz;
+        def.damping_ratio = damping_ratio;
+        if constexpr (requires { def.axis; })
+            if (with_axis) def.axis = axis;
+        return def;
+    }
+    void join(int kind, float hertz, float damping_ratio) {
+        switch (kind) {
+            case 0: {
+                auto def = spring<DistanceJointDef>(hertz, damping_ratio);
+                def.length = 0.7f;
+                world.create_distance_joint(def);
+                break;
+            }
+            case 1:
+                world.create_prismatic_joint(spring<PrismaticJointDef>(hertz, damping_ratio, true));
+                break;
+            case 2:
+                world.create_wheel_joint(spring<WheelJointDef>(hertz, damping_ratio, true));
+                break;
+            case 3:
+                world.create_pin_slot_joint(spring<PinSlotJointDef>(hertz, damping_ratio, true));
+                break;
+            case 4: {
+                auto def = spring<MotorJointDef>(hertz, damping_ratio);
+                def.max_force = def.max_torque = INFINITY;
+                world.create_motor_joint(def);
+                break;
+            }
+            case 5:
+                a.set_type(BodyType::static_body);
+                world.create_mouse_joint({.body = b.id(),
+                                          .target = a.world_point(ends.anchor_a),
+                                          .anchor = ends.anchor_b,
+                                          .hertz = hertz,
+                                          .damping_ratio = damping_ratio});
+                break;
+            case 6: {
+                auto def = spring<WeldJointDef>(hertz, damping_ratio);
+                def.angular_hertz = 0;
+                world.create_weld_joint(def);
+                break;
+            }
+            default: {
+                auto def = spring<WeldJointDef>(hertz, damping_ratio);
+                def.angular_hertz = hertz;
+                def.angular_damping_ratio = damping_ratio;
+                world.create_weld_joint(def);
+            }
+        }
+    }
+    double energy() const { return double(a.kinetic_energy()) + double(b.kinetic_energy()); }
+    /// Of the joint before the first step, J.
+    double energy_of_spring(int kind, float hertz) const {
+        const Vec2 gap = b.world_point(ends.anchor_b) - a.world_point(ends.anchor_a);
+        double error = double(gap.length());
+        if (kind == 0) error -= 0.7;
+        const double of_a = kind == 5 ? 0.0 : 1.0 / double(a.mass());
+        const double turn = 6.2831853 * double(hertz);
+        return 0.5 * turn * turn / (of_a + 1.0 / double(b.mass())) * error * error;
+    }
+    /// About the origin, kg m²/s.
+    double angular_momentum() const {
+        double sum = 0.0;
+        for (const Body& body : {a, b}) {
+            const Vec2 at = body.world_center(), v = body.velocity();
+            sum += double(body.inertia() * body.angular_velocity() +
+                          body.mass() * (at.x * v.y - at.y * v.x));
+        }
+        return sum;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("springs beside the centers of their bodies give them no energy") {
+    const int kind = GENERATE(0, 1, 2, 3, 4, 5, 6, 7);
+    const Solver solver = GENERATE(Solver::soft_step, Solver::direct);
+    const float damping_ratio = GENERATE(0.0f, 0.3f);
+    for (unsigned seed = 1; seed <= unsigned(seeds_or(5)); ++seed) {
+        Random random{std::mt19937(seed)};
+        Pair pair(random, solver, kind != 0 && kind != 4 && kind != 5);
+        const float hertz = random(1, 3);
+        pair.join(kind, hertz, damping_ratio);
+        const double before = pair.energy() + pair.energy_of_spring(kind, hertz);
+        double greatest = 0.0;
+        for (int i = 0; i < 1200; ++i) {
+            pair.world.step(dt);
+            greatest = std::max(greatest, pair.energy());
+        }
+        INFO("kind " << kind << ", seed " << seed << ", " << hertz << " Hz");
+        CHECK(greatest < 1.2 * before);
+    }
+}
+
+TEST_CASE("a spring between two free bodies keeps their angular momentum") {
+    const int kind = GENERATE(0, 1, 2, 3, 4, 6, 7);
+    const float damping_ratio = GENERATE(0.0f, 0.5f);
+    for (unsigned seed = 1; seed <= unsigned(seeds_or(4)); ++seed) {
+        Random random{std::mt19937(seed)};
+        Pair pair(random, Solver::soft_step, kind != 0 && kind != 4);
+        const float hertz = random(1, 3);
+        pair.join(kind, hertz, damping_ratio);
+        const double before = pair.angular_momentum();
+        for (int i = 0; i < 600; ++i) pair.world.step(dt);
+        INFO("kind " << kind << ", seed " << seed << ", " << hertz << " Hz");
+        CHECK(std::abs(pair.angular_momentum() - before) <
+              0.01 * double(pair.a.mass() + pair.b.mass()));
+    }
+}
+
+TEST_CASE("a hub on many springs comes to rest") {
+    const int kind = GENERATE(0, 1, 2);
+    const int count = GENERATE(5, 20, 60);
+    const float hertz = GENERATE(3.0f, 10.0f, 30.0f);
+    World world({.sleeping = false});
+    Body ground = world.create_body({.type = BodyType::static_body});
+    ground.add(Box{1, 1}, {.mask = 0});
+    Body hub = world.create_body({});
+    hub.add(Box{1, 1}, {.mask = 0});
+    hub.set_velocity({1, 2});
+    for (int i = 0; i < count; ++i) {
+        const float angle = 6.2831853f * float(i) / float(count);
+        const Vec2 at = {0.4f * std::cos(angle), 0.4f * std::sin(angle)};
+        if (kind == 0)
+            world.create_distance_joint({.body_a = ground.id(),
+                                         .body_b = hub.id(),
+                                         .anchor_a = 5.0f * at,
+                                         .anchor_b = at,
+                                         .hertz = hertz,
+                                         .damping_ratio = 0.2f});
+        else if (kind == 1)
+            world.create_weld_joint({.body_a = ground.id(),
+                                     .body_b = hub.id(),
+                                     .anchor_a = at,
+                                     .anchor_b = at,
+                                     .hertz = hertz,
+                                     .damping_ratio = 0.2f,
+                                     .angular_hertz = 0});
+        else
+            world.create_mouse_joint({.body = hub.id(),
+                                      .target = at,
+                                      .anchor = at,
+                                      .hertz = hertz,
+                                      .damping_ratio = 0.2f});
+    }
+    float fastest = 0.0f;
+    for (int i = 0; i < 600; ++i) {
+        world.step(dt);
+        fastest = std::max(fastest, hub.velocity().length());
+    }
+    INFO("kind " << kind << ", " << count << " springs of " << hertz << " Hz");
+    CHECK(fastest < 5);
+    CHECK(hub.velocity().length() < 0.1f);
+}
+
 }  // namespace spring_family_test

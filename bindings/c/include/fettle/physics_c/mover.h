@@ -25,8 +25,8 @@ typedef struct fettle_mover_def {
     float step_height; /* 0.3 m, 0 to 1000; it climbs steps up to this height */
     float snap;        /* 0.25 m, 0 to 1000; walking, it stays on ground that falls by this */
     float skin;        /* 0.01 m, 0.001 to 0.1; distance that it keeps from everything */
-    float mass;        /* 80 kg, at least 0; for dynamic bodies, for light ones less */
-    float push_force;  /* 600 N, at least 0; at most this pushes a body, and its ground back */
+    float mass;        /* 80 kg, at least 0; its weight and its inertia on dynamic bodies */
+    float push_force;  /* 600 N, at least 0; the most with which it pushes a dynamic body */
 } fettle_mover_def;
 
 /** The state of a mover: a plain value that can be copied and saved. */

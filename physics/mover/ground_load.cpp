@@ -1,4 +1,5 @@
-#include <mover/support.h>
+#include <mover/ground_load.h>
+#include <mover/obstacles.h>
 #include <step/gather.h>
 
 #include <algorithm>
@@ -11,12 +12,18 @@ bool is_pushed(const Load& load) {
     return load.force.x != 0.0f || load.force.y != 0.0f || load.torque != 0.0f;
 }
 
-/// True if a field or a force of the host acts on a body. It may carry it, by how much is not
-/// known.
+/// True if a field or a force of the host acts on a body. It may carry the body; how much of the
+/// weight it carries is not known.
 bool is_carried(const WorldData& data, uint32_t body) {
     const BodyRecord& record = data.bodies[body];
     return is_pushed(record.load) || is_pushed(record.step_load) ||
            in_any_field(data, data, data.boxes, body);
+}
+
+/// True for the body of a mover that stands on a body: it has no contact with its ground in a step.
+bool stands_on(const WorldData& data, uint32_t other, uint32_t body) {
+    const MoverBody* const mover = mover_of(data, other);
+    return mover != nullptr && mover->ground == data.body_id(body);
 }
 
 /// A mover weighs at most this many times as much as the part of a body that its feet move:
@@ -28,8 +35,8 @@ constexpr float most_on_ground = 30.0f, most_on_others = 8.0f, most_afloat = 2.0
 /// A direction in which something holds a point of a body.
 struct Hold {
     Vec2 arm, direction;
-    float friction = 0.0f;  ///< of the contact whose tangent this is: the hold before is its normal
-    bool both_ways = false;  ///< a pin, and not a contact
+    enum class Kind { normal, tangent, pin } kind;  ///< a tangent follows its normal
+    float friction = 0.0f;                          ///< of a tangent
     float impulse = 0.0f;
 };
 
@@ -54,9 +61,8 @@ void add_contact(const ContactRecord& contact, uint32_t body, std::vector<Hold>&
     for (int i = 0; i < contact.manifold.count; ++i) {
         const ManifoldPoint& point = contact.manifold.points[i];
         const Vec2 arm = is_b ? point.anchor_b : point.anchor_a;
-        holds.push_back({.arm = arm, .direction = normal});
-        holds.push_back(
-            {.arm = arm, .direction = right_perp(normal), .friction = contact.friction});
+        holds.push_back({arm, normal, Hold::Kind::normal});
+        holds.push_back({arm, right_perp(normal), Hold::Kind::tangent, contact.friction});
     }
 }
 
@@ -71,10 +77,10 @@ void hold(Response& response, std::vector<Hold>& holds) {
             if (!(yielding > 0.0f)) continue;
             const float before = each.impulse;
             float now = before - response.speed(each.arm, each.direction) / yielding;
-            if (each.friction > 0.0f) {
+            if (each.kind == Hold::Kind::tangent) {
                 const float most = each.friction * holds[i - 1].impulse;
                 now = clamp(now, -most, most);
-            } else if (!each.both_ways) {
+            } else if (each.kind == Hold::Kind::normal) {
                 now = max(now, 0.0f);
             }
             each.impulse = now;
@@ -90,20 +96,21 @@ bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out) {
     std::vector<uint32_t> group = {body};
     bool supported = false;
     const auto reach = [&](uint32_t other) {
-        if (other == left_out && left_out != 0) return;
+        if (other == left_out) return;
         supported = supported || data.bodies[other].mobility != Mobility::dynamic;
         if (std::find(group.begin(), group.end(), other) == group.end()) group.push_back(other);
     };
     for (size_t i = 0; i < group.size() && !supported; ++i) {
         if (i >= most || is_carried(data, group[i])) return true;
         data.for_each_joint(group[i], [&](uint32_t joint, uint32_t side) {
-            if (!data.joints[joint].moves()) return;
+            if (!data.may_act(data.joints[joint])) return;
             reach(data.joints[joint].bodies[side ^ 1]);
             // Its rope hangs on wheels of the world.
             supported = supported || data.joints[joint].type == JointType::pulley;
         });
         data.for_each_contact(group[i], [&](uint32_t contact) {
-            if (data.contacts[contact].acts()) reach(data.other_body(contact, group[i]));
+            const uint32_t other = data.other_body(contact, group[i]);
+            if (data.contacts[contact].acts() && !stands_on(data, other, group[i])) reach(other);
         });
     }
     return supported;
@@ -124,20 +131,21 @@ float weight_share(const WorldData& data, uint32_t body, const Position& point, 
     bool fixed = false, on_ground = false;
     data.for_each_joint(body, [&](uint32_t slot, uint32_t side) {
         const JointRecord& joint = data.joints[slot];
-        if (!joint.moves()) return;
+        if (!data.may_act(joint)) return;
         // A motor, a spring or a limit holds the angle, too; other joints hold more or less.
         fixed = fixed || joint.type != JointType::revolute || joint.torque != 0.0f;
         const Vec2 anchor = joint.anchors[side] - Position();
         const Vec2 held =
             state.position + rotate({state.cosine, state.sine}, anchor) - record.center;
         for (const Vec2 direction : {Vec2(1.0f, 0.0f), Vec2(0.0f, 1.0f)})
-            holds.push_back({.arm = held, .direction = direction, .both_ways = true});
+            holds.push_back({held, direction, Hold::Kind::pin});
     });
     if (fixed) return at_most(most_on_others);
     const bool jointed = !holds.empty();
     data.for_each_contact(body, [&](uint32_t contact) {
         const uint32_t other = data.other_body(contact, body);
-        if (!data.contacts[contact].acts() || (other == left_out && left_out != 0)) return;
+        if (!data.contacts[contact].acts() || other == left_out || stands_on(data, other, body))
+            return;
         add_contact(data.contacts[contact], body, holds);
         on_ground |= data.bodies[other].mobility != Mobility::dynamic;
     });

@@ -8,7 +8,7 @@ namespace fettle::physics::detail {
 
 /// True if something may support a dynamic body against gravity: a body that is not dynamic or a
 /// joint to the world, reached over contacts and joints; a field; a force of the host. False in
-/// free fall. `left_out`: a body that does not count, 0 for none.
+/// free fall. `left_out`: a body that does not count, or `none`.
 bool is_supported(const WorldData& data, uint32_t body, uint32_t left_out);
 
 /// The share of its weight (0 … 1) with which a mover of `mass` (kg) loads a dynamic body at a
