@@ -352,13 +352,14 @@ TEST_CASE_METHOD(Fixture,
         log.push_back("created");
         if (log.size() < 5) tree.destroy(e.instance);
     });
-    tree.watch_deleted(*module.type, [&](const Existence&) {
+    Connection deletions = tree.watch_deleted(*module.type, [&](const Existence&) {
         log.push_back("deleted");
         if (log.size() == 2) tree.create(*module.type, world, "again");
     });
     tree.create(*module.type, world, "brief");
     tree.barrier();
     CHECK(log == Log{"created", "deleted", "created", "deleted"});
+    deletions.stop();  // the fixture destroys the module before the tree
 }
 
 TEST_CASE_METHOD(Fixture,
@@ -368,12 +369,13 @@ TEST_CASE_METHOD(Fixture,
         log.push_back("created " + e.path);
         tree.destroy(second);
     });
-    tree.watch_deleted(*module.type,
-                       [&](const Existence& e) { log.push_back("deleted " + e.path); });
+    Connection deletions = tree.watch_deleted(
+        *module.type, [&](const Existence& e) { log.push_back("deleted " + e.path); });
     tree.create(*module.type, world, "first");
     second = tree.create(*module.type, world, "second");
     tree.barrier();
     CHECK(log == Log{"created world.first"});
+    deletions.stop();
 }
 
 }  // namespace watchers_test
