@@ -40,8 +40,10 @@ constexpr std::string_view architecture = "riscv64";
 constexpr std::string_view architecture = "loong64";
 #elif defined(__s390x__)
 constexpr std::string_view architecture = "s390x";
-#else
+#elif defined(__powerpc64__)
 constexpr std::string_view architecture = "ppc64el";
+#else
+constexpr std::string_view architecture = "unknown";  // then no system installs the package
 #endif
 
 /// The libraries in a package are those of this system, and need its libc or a newer one.

@@ -10,12 +10,13 @@
 // the position after the sub-step. This damps, and is stable for one spring of any stiffness. Each
 // sub-step solves a spring once, though, so springs in a row pass on what they push one after the
 // other: from h·ω = 1.5 on, such a row breaks apart. A stiffer spring therefore has the stiffness
-// of `greatest_turn`. Of the springs of a body with many joints, each sees a part of its mass.
+// of `greatest_turn`. On a body with many joints, each spring is softer and damps less.
 //
 // k follows from the frequency and a mass that does not depend on the pose of the bodies
 // (`JointEnds::spring_mass`). With the mass that the row moves at present, the stiffness would
 // change as the bodies turn. Such a force has no potential: undamped springs beside the centers of
-// their bodies gained energy without end. d is the damping ratio of the mass that the row moves.
+// their bodies gained energy without end. d follows from the damping ratio and
+// the mass that the row moves.
 
 namespace fettle::physics::detail {
 
@@ -57,7 +58,7 @@ struct PointInverse {
 /// What the springs of a joint have in common.
 struct SpringTurn {
     static constexpr float greatest_turn = 1.25f;  ///< h·ω
-    /// Of a body with more joints, each of them sees a part of the mass: all act on it at once.
+    /// On a body with more joints, each spring is softer and damps less: all act on it at once.
     static constexpr float usual_joints = 3.0f;
 
     float turn;      ///< h·ω of the mass of the spring
@@ -120,10 +121,8 @@ struct PointSpring {
         const PointInverse& d = resistance;
         const Vec2 free = d * (k * so_far - velocity) - push * error;
         // (1 + d·k)·λ = free
-        const float xx = 1.0f + (d.xx * k.xx + d.xy * k.xy);
-        const float xy = (d.xx * k.xy + d.xy * k.yy);
-        const float yx = (d.xy * k.xx + d.yy * k.xy);
-        const float yy = 1.0f + (d.xy * k.xy + d.yy * k.yy);
+        const float xx = 1.0f + (d.xx * k.xx + d.xy * k.xy), xy = d.xx * k.xy + d.xy * k.yy;
+        const float yx = d.xy * k.xx + d.yy * k.xy, yy = 1.0f + (d.xy * k.xy + d.yy * k.yy);
         const float inverse = inverse_or_zero(xx * yy - xy * yx);
         return {inverse * (yy * free.x - xy * free.y), inverse * (xx * free.y - yx * free.x)};
     }

@@ -101,20 +101,16 @@ struct MotorConstraint {
             return;
         }
         // A spring with a velocity relative to that of the motor: v - u + (push/resistance)·C.
-        const auto ahead = [](float push, auto resistance) {
-            return inverse_or_zero(push) * resistance;
-        };
-        DirectRow& torque =
-            rows.spring(turning, turning_spring,
-                        ends.angle_now(a, b) - angle -
-                            ahead(turning_spring.push, turning_spring.resistance * turn_speed),
-                        impulses.torque);
+        const auto& [push, resistance] = turning_spring;
+        const float ahead = inverse_or_zero(push) * (resistance * turn_speed);
+        DirectRow& torque = rows.spring(turning, turning_spring,
+                                        ends.angle_now(a, b) - angle - ahead, impulses.torque);
         if (rows.biased()) {
             torque.low = -double(greatest_torque);
             torque.high = double(greatest_torque);
         }
-        const Vec2 error =
-            gap - turned(offset, a.turn) - ahead(spring.push, spring.resistance * velocity);
+        const Vec2 error = gap - turned(offset, a.turn) -
+                           inverse_or_zero(spring.push) * (spring.resistance * velocity);
         rows.springs(ends, spring, error, greatest_force, impulses.force);
     }
     JointLoad load() const { return {impulses.force, impulses.torque}; }

@@ -119,8 +119,8 @@ struct PulleyConstraint {
     PulleyImpulses impulses;
     Side side_a, side_b;
     float ratio = 1.0f, length = 0.0f, mass = 0.0f;
-    float way =
-        0.0f;  ///< m: how much shorter the rope can get until its movable ends are at their wheels
+    /// m: how much shorter the rope can get until its movable ends are at their wheels.
+    float way = 0.0f;
     bool too_long = false;  ///< at the start of the step
 
     static float separation(const Settings& settings, const JointPlace& place) {

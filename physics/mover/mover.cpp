@@ -252,7 +252,7 @@ Plan plan_of(const World& world, const WorldData& data, const MoverState& state,
     return plan;
 }
 
-/// Lets the ground carry along what lies on it, and the mover with it.
+/// Adds the turn of the ground to the ride; the other shapes of this ground move alike.
 void add_turn_of_ground(Plan& plan, const WorldData& data, Obstacles& obstacles,
                         const Capsule& capsule, const Position& start, float least_cosine,
                         float dt) {

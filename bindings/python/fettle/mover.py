@@ -17,7 +17,7 @@ class Moved(NamedTuple):
     motion: Vec2  # m, the ride on the ground included
     velocity: Vec2  # for the next move, m/s: relative to the ground, in the air to the world
     ground_normal: Vec2  # zero in the air
-    ground_velocity: Vec2  # of the ground at its feet, m/s
+    ground_velocity: Vec2  # of the ground, without what walls keep from it, m/s
     wall_normal: Vec2  # of the last wall or ceiling that it hit
     ground: Optional[Shape]
     wall: Optional[Shape]

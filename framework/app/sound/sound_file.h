@@ -62,7 +62,8 @@ class SoundReader {
     ~SoundReader();
     /// Silence beyond the end. Fast if the frames are read in order.
     Stereo frame(std::uint64_t index);
-    Stereo first_frame();  ///< the same for a sound that begins again
+    /// Frame 0, without reading again at the end of a sound that loops.
+    Stereo first_frame();
 
   private:
     void load(std::uint64_t index);
@@ -72,8 +73,8 @@ class SoundReader {
     Samples block_;
     std::uint64_t first_ = 0, count_ = 0;  // frames in the block
     std::uint64_t next_ = 0;               // the frame that the decoder reads next
-    std::uint64_t end_;  // behind the last frame; a damaged file has fewer than it states
-    std::optional<Stereo> start_;
+    std::uint64_t end_;            // behind the last frame; a damaged file has fewer than it states
+    std::optional<Stereo> start_;  // frame 0, once it was read
 };
 
 /// The sound files of a game. Each is read once.

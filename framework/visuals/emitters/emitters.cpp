@@ -73,10 +73,8 @@ Motion Emitters::motion_of(const Row& row) const {
 Birth Emitters::birth_of(const Row& row, const Transform& now, bool on_screen) const {
     const Reader read(*tree_, row.state.self);
     Birth birth;
-    // Particles that move with the emitter are in its coordinates.
-    const bool in_world = read.value(of_.space).text() == "world";
-    if (in_world) birth.to = now;
-    birth.from = in_world && row.state.placed ? row.state.at : birth.to;
+    birth.to = now;
+    birth.from = row.state.placed ? row.state.at : now;
     birth.shape =
         static_cast<EmitterShape>(of_.shape->enumerator_index(read.value(of_.shape).text()));
     birth.area = read.vec2(of_.area);
@@ -97,8 +95,10 @@ void Emitters::advance(Row& row, double dt) {
     visuals::advance(row.particles, motion, dt);
     state.last_dt = dt;
     const bool screen = on_screen(state.self);
-    const Transform now =
-        property::place_below(*tree_, state.self, screen, 1).value_or(Transform());
+    // Particles that move with the emitter are in its coordinates.
+    const bool in_world = read.value(of_.space).text() == "world";
+    Transform now;
+    if (in_world) now = property::place_below(*tree_, state.self, screen, 1).value_or(Transform());
     const bool playing = read.flag(of_.playing);
     std::size_t at_once = std::exchange(state.wanted, 0);
     double due = 0;
@@ -132,7 +132,7 @@ void Emitters::advance(Row& row, double dt) {
     }
     all_ += row.particles.size() - before_births;
     state.at = now;
-    state.placed = true;
+    state.placed = in_world;
     const bool was_busy = std::exchange(state.busy, !row.particles.empty());
     if (was_busy && !state.busy && (!playing || read.number(of_.rate) == 0))
         ended_.push_back(state.self);

@@ -35,7 +35,7 @@ class Emitters {
         double last_dt = 0;        // s, length of the last step
         property::Transform at{};  // where it was at the end of the last step
         std::uint32_t wanted = 0;  // particles to begin in the next step, by `emit`
-        bool placed = false;       // `at` is known
+        bool placed = false;       // `at` is known: a place in the world
         bool burst = false;        // the particles of `burst` have begun
         bool busy = false;         // it has particles, or had some in the last step
     };

@@ -10,19 +10,24 @@
 
 namespace fettle::physics_module {
 
+/// Throws Error(damaged) for another byte than 0 and 1.
+inline bool get_flag(property::ByteReader& from) {
+    const auto flag = from.get<std::uint8_t>();
+    from.require(flag <= 1, "a flag");
+    return flag != 0;
+}
+
 template <class T>
 void put_optional(property::ByteWriter& to, const std::optional<T>& value) {
     to.put(std::uint8_t{value.has_value()});
     to.put(value.value_or(T{}));
 }
 
-/// Throws Error(damaged) for another flag than 0 and 1.
 template <class T>
 std::optional<T> get_optional(property::ByteReader& from) {
-    const auto flag = from.get<std::uint8_t>();
-    from.require(flag <= 1, "a flag");
+    const bool has_value = get_flag(from);
     const T value = from.get<T>();
-    return flag != 0 ? std::optional(value) : std::nullopt;
+    return has_value ? std::optional(value) : std::nullopt;
 }
 
 template <class T>

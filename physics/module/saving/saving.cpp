@@ -49,8 +49,8 @@ std::vector<Look> get_looks(property::ByteReader& from) {
         Look& look = looks.emplace_back();
         look.fill = get_optional<property::Color>(from);
         look.border = get_optional<property::Color>(from);
-        look.visible = from.boolean();
-        look.orientation_mark = from.boolean();
+        look.visible = get_flag(from);
+        look.orientation_mark = get_flag(from);
     }
     return looks;
 }

@@ -236,15 +236,11 @@ TweakReport Tweaks::State::keep(std::string_view pattern, bool for_all) {
 }
 
 TweakReport Tweaks::keep(std::string_view pattern) {
-    TweakReport report = usable().keep(pattern, false);
-    state_->give_warnings();
-    return report;
+    return state_->with_warnings(usable().keep(pattern, false));
 }
 
 TweakReport Tweaks::keep_for_all(std::string_view pattern) {
-    TweakReport report = usable().keep(pattern, true);
-    state_->give_warnings();
-    return report;
+    return state_->with_warnings(usable().keep(pattern, true));
 }
 
 std::size_t Tweaks::State::others_of_scene(const fs::path& file,

@@ -453,14 +453,10 @@ void Tweaks::barrier() {
     state_->give_warnings();
 }
 TweakReport Tweaks::reapply(std::string_view pattern) {
-    TweakReport report = usable().reapply(pattern);
-    state_->give_warnings();
-    return report;
+    return state_->with_warnings(usable().reapply(pattern));
 }
 TweakReport Tweaks::drop(std::string_view pattern) {
-    TweakReport report = usable().drop(pattern);
-    state_->give_warnings();
-    return report;
+    return state_->with_warnings(usable().drop(pattern));
 }
 void Tweaks::scene_loaded(const std::filesystem::path& file,
                           const std::vector<SceneInstance>& instances, bool named_by_script) {

@@ -107,6 +107,11 @@ struct Tweaks::State : EditObserver {
     /// tweaks, for example keep some, which changes what the operation reads.
     void warn(std::string text) { untold.push_back(std::move(text)); }
     void give_warnings();
+    /// Gives them, and returns the report of the operation that has ended.
+    TweakReport with_warnings(TweakReport report) {
+        give_warnings();
+        return report;
+    }
     std::size_t drop_invalid(std::string_view pattern);
     void take_earlier(std::vector<JournalRow> rows);
     void refresh_earlier();

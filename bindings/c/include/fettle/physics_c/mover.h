@@ -36,7 +36,7 @@ typedef struct fettle_mover_state {
     bool climbing;               /* true: it moves freely, without ground, steps and rides */
     fettle_position position;    /* of its feet, m */
     fettle_vec2 ground_normal;   /* zero in the air */
-    fettle_vec2 ground_velocity; /* of the ground at its feet, m/s; zero in the air */
+    fettle_vec2 ground_velocity; /* with which its ground carries it, m/s; zero in the air */
     fettle_id ground;            /* the shape on which it stands; 0 in the air */
     fettle_id dropped;           /* the shape through which it falls; 0: none */
 } fettle_mover_state;
@@ -47,7 +47,7 @@ typedef struct fettle_moved {
     fettle_vec2 velocity;        /* for the next move, m/s; relative to the ground, in the air to
                                     the world */
     fettle_vec2 ground_normal;   /* zero in the air */
-    fettle_vec2 ground_velocity; /* of the ground at its feet, m/s */
+    fettle_vec2 ground_velocity; /* of the ground, without what walls keep from it, m/s */
     fettle_vec2 wall_normal;     /* of the last wall or ceiling that it hit */
     fettle_id ground;            /* shape below its feet; 0 in the air */
     fettle_id wall;              /* shape of the last wall or ceiling; 0: none */
