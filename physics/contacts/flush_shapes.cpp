@@ -106,7 +106,8 @@ void push_with_common_outline(const NarrowPhaseInput& in, uint32_t slot, const O
     if (piece == nullptr) return;
     Manifold pushed = {};
     collide(*piece, other, to_other, speculative_margin, c.touching, pushed);
-    if (leads_through(pushed, c.manifold)) pushed.count = 0;
+    // A segment has no inside: its face is the way out to the side of the other shape.
+    if (shape.form.count > 2 && leads_through(pushed, c.manifold)) pushed.count = 0;
     // A shape that is deep inside of a covered one must get out somewhere.
     if (pushed.count == 0 && is_inside(shape.form, middle_of(other) + to_other)) return;
     if (!first) swap_shapes(pushed);

@@ -7,6 +7,7 @@
 #include <state/active_lists.h>
 #include <state/limits.h>
 #include <state/place_shape.h>
+#include <state/segment_surfaces.h>
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
 #include <edits/edits.h>
 #include <forms/outline_parts.h>
+#include <state/segment_surfaces.h>
 
 #include <cstring>
 

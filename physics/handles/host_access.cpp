@@ -126,6 +126,10 @@ FETTLE_WRITE(gravity_scale, gravity_scale)
 FETTLE_WRITE(linear_damping, linear_damping)
 FETTLE_WRITE(angular_damping, angular_damping)
 
+void HostAccess::set_serial_callbacks(World& world, bool serial) {
+    world.data_->self.serial_callbacks = serial;
+}
+
 void HostAccess::on_refresh(World& world, RefreshCallback callback) {
     WorldData& data = *world.data_;
     data.self.may_edit("HostAccess", __func__);

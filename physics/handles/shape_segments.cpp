@@ -1,4 +1,5 @@
 #include <handles/live.h>
+#include <state/segment_surfaces.h>
 
 #include <stdexcept>
 #include <string>

@@ -4,6 +4,8 @@
 #include <mover/ground_load.h>
 #include <mover/momentum.h>
 #include <mover/obstacles.h>
+#include <state/limits.h>
+#include <state/segment_surfaces.h>
 
 namespace fettle::physics::detail {
 
@@ -34,8 +36,12 @@ void take_momentum(World& world, const MoverDef& def, const Footing& footing, Ve
 
 }  // namespace
 
-Vec2 belt_velocity(const WorldData& data, uint32_t shape, Vec2 normal) {
-    const float speed = data.shapes[data.named_shape(shape)].surface.surface_speed;
+Vec2 belt_velocity(const WorldData& data, uint32_t shape, uint32_t part, Vec2 normal) {
+    const SegmentSurface* own = own_surface(data, shape, part);
+    const ShapeDef& surface = data.shapes[shape].surface;
+    const float given =
+        own != nullptr ? with_own(surface, *own).surface_speed : surface.surface_speed;
+    const float speed = bounded(given, greatest_speed);
     return {-speed * normal.y, speed * normal.x};
 }
 
@@ -89,7 +95,7 @@ void hold_ground(World& world, const MoverDef& def, const MoverState& state, flo
     const Footing footing = {body, state.position};
     const Vec2 normal = state.ground_normal;
     const Vec2 now = velocity_of(data, footing.body, footing.point) +
-                     belt_velocity(data, state.ground.index, normal);
+                     belt_velocity(data, state.ground.index, state.ground_part, normal);
     const Vec2 change = bounded(now - state.ground_velocity, 1e6f);
     // Ground whose supports have stopped a landing does not hit the mover.
     const float known = max(0.0f, dot(state.ground_velocity, normal));

@@ -12,8 +12,9 @@ struct Footing {
     Position point;
 };
 
-/// Velocity of the surface of a conveyor belt, along its surface, m/s.
-Vec2 belt_velocity(const WorldData& data, uint32_t shape, Vec2 normal);
+/// Velocity of the surface of a conveyor belt, along its surface, m/s. `part`: the segment, if the
+/// shape is a chain.
+Vec2 belt_velocity(const WorldData& data, uint32_t shape, uint32_t part, Vec2 normal);
 
 /// Pushes a dynamic body: the impulse of a collision with a mover of this velocity (m/s), limited
 /// by its `push_force`. The ground of the mover gets the opposite impulse.

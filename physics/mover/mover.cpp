@@ -42,6 +42,7 @@ void Mover::set_position(const Position& position) {
     state_.ground_normal = {};
     state_.ground_velocity = {};
     state_.ground = {};
+    state_.ground_part = 0;
     state_.dropped = {};
 }
 
@@ -120,7 +121,8 @@ struct Ride {
 Ride ride_on(const WorldData& data, const MoverState& state, float dt) {
     const uint32_t carrier = data.forms[state.ground.index].body;
     if (carrier == none) return {};
-    const Vec2 belt = belt_velocity(data, state.ground.index, state.ground_normal);
+    const Vec2 belt =
+        belt_velocity(data, state.ground.index, state.ground_part, state.ground_normal);
     const Vec2 along = bounded(dt * belt, 1e3f);
     return {carrier, motion_of(data, carrier, state.position, dt) + along, along};
 }
@@ -167,15 +169,28 @@ std::optional<Plane> ground_after(const WorldData& data, const Obstacles& obstac
     if (stands) {
         const std::optional<Plane> ground = moving.ground();
         // A body that falls freely is not ground: nothing has weight on it, and it carries no
-        // mover.
+        // mover. One without weight does not fall.
         const auto carries = [&](const Obstacle& below) {
-            return !below.dynamic || is_supported(data, below.body, own);
+            return !below.dynamic || data.bodies[below.body].gravity_scale == 0.0f ||
+                   is_supported(data, below.body, own);
         };
         if (ground && carries(obstacles[ground->obstacle])) return ground;
     }
     std::optional<Plane> edge = moving.step;
     if (edge) edge->normal = up;
     return edge;
+}
+
+/// The least velocity with which a mover leaves its ground, m/s.
+constexpr float least_lift = 0.05f;
+
+/// True if ground that moves up catches a mover that rises more slowly, as a lift in which it has
+/// jumped.
+bool catches(const WorldData& data, const Obstacle& ground, const Position& feet, Vec2 velocity,
+             Vec2 up, float dt) {
+    if (ground.border) return false;
+    const Vec2 moves = (1.0f / dt) * motion_of(data, ground.body, feet, dt);
+    return dot(velocity - moves, up) <= least_lift;
 }
 
 /// The shape through which a mover falls, while it exists.
@@ -220,11 +235,14 @@ void report_hits(Moved& moved, const Moving& moving, const Obstacles& obstacles,
 
 void report_ground(Moved& moved, const Obstacle& below, const Plane& ground,
                    const Position& position, World& world, WorldData& data, float dt) {
-    moved.ground = Shape(&world, data.shape_id(data.named_shape(below.shape)));
+    const uint32_t named = data.named_shape(below.shape);
+    moved.ground = Shape(&world, data.shape_id(named));
     moved.ground_normal = ground.normal;
     if (below.border) return;
     const Vec2 carried = motion_of(data, below.body, position, dt);
-    moved.ground_velocity = (1.0f / dt) * carried + belt_velocity(data, below.shape, ground.normal);
+    moved.ground_velocity =
+        (1.0f / dt) * carried +
+        belt_velocity(data, named, data.part_number(below.shape), ground.normal);
 }
 
 /// What a mover wants to do in a step, and where it begins.
@@ -233,6 +251,7 @@ struct Plan {
     Vec2 motion;  ///< m, with that of the ride
     Ride ride;
     bool stood, lifts;
+    bool rides;  ///< it stood on ground that still exists
     bool walks;  ///< it stood, and does not leave the ground by itself
 };
 
@@ -240,10 +259,14 @@ Plan plan_of(const World& world, const WorldData& data, const MoverState& state,
              Vec2 velocity, float dt) {
     Plan plan;
     plan.wanted = bounded(velocity, 1e6f);
+    // It keeps the velocity of ground that was destroyed below it, or through which it drops.
+    const bool has_ground = state.on_ground && world.is_valid(state.ground);
+    if (!has_ground) plan.wanted = plan.wanted + bounded(state.ground_velocity, 1e6f);
     plan.stood = state.on_ground && !state.climbing;
-    plan.lifts = dot(plan.wanted, up) > 0.05f;
+    plan.rides = plan.stood && has_ground;
+    plan.lifts = dot(plan.wanted, up) > least_lift;
     plan.walks = plan.stood && !plan.lifts;
-    if (plan.stood && world.is_valid(state.ground)) plan.ride = ride_on(data, state, dt);
+    if (plan.rides) plan.ride = ride_on(data, state, dt);
     if (plan.walks) plan.wanted = plan.wanted - dot(plan.wanted, up) * up;
     plan.motion =
         plan.walks ? motion_along_ground(plan.wanted, state.ground_normal, dt) : dt * plan.wanted;
@@ -330,8 +353,10 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     Moving moving(obstacles, capsule, settings, start);
     follow_plan(plan, moving, obstacles, capsule, def_.snap, dt);
     const uint32_t own = world.is_valid(def_.body) ? def_.body.index : none;
-    const std::optional<Plane> ground =
-        ground_after(data, obstacles, moving, own, !state_.climbing && !plan.lifts, up);
+    const bool may_stand = !state_.climbing && !(plan.lifts && plan.stood);
+    std::optional<Plane> ground = ground_after(data, obstacles, moving, own, may_stand, up);
+    if (ground && plan.lifts && !catches(data, obstacles[ground->obstacle], start, wanted, up, dt))
+        ground.reset();
     const Footing footing = footing_on(obstacles, ground);
     if (footing.body != none && !plan.stood) land_on(world, def_, footing, ground->normal, wanted);
     state_.position = moving.position;
@@ -349,15 +374,17 @@ Moved Mover::move(World& world, const Vec2& velocity, float dt) {
     moved.velocity = moving.clipped(wanted + as_moved(carried, walk, moved.motion / dt));
     state_.on_ground = moved.on_ground = ground.has_value();
     state_.ground = {};
+    state_.ground_part = 0;
     state_.ground_normal = {};
     if (ground) {
         const Obstacle& below = obstacles[ground->obstacle];
         state_.ground = data.shape_id(data.named_shape(below.shape));
+        state_.ground_part = data.part_number(below.shape);
         state_.ground_normal = ground->normal;
         report_ground(moved, below, *ground, moving.position, world, data, dt);
-        if (plan.stood)
+        if (plan.rides)
             moved.ground_velocity = as_moved(moved.ground_velocity, walk, moved.motion / dt);
-        const Vec2 relative = plan.stood ? wanted : landing(wanted, moved.ground_velocity, up);
+        const Vec2 relative = plan.rides ? wanted : landing(wanted, moved.ground_velocity, up);
         moved.velocity = kept_on_ground(data, obstacles, moving, relative, up);
     }
     state_.ground_velocity = moved.ground_velocity;
@@ -383,7 +410,12 @@ bool Mover::drop(const World& world) {
     state_.dropped = state_.ground;
     state_.on_ground = false;
     state_.ground = {};
-    state_.ground_normal = state_.ground_velocity = {};
+    state_.ground_part = 0;
+    state_.ground_normal = {};
+    // The velocity with which a ledge rises would hold it on the ledge.
+    const Vec2 up = Capsule(def_, def_.height).up;
+    state_.ground_velocity =
+        state_.ground_velocity - max(0.0f, dot(state_.ground_velocity, up)) * up;
     return true;
 }
 

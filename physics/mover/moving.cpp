@@ -260,12 +260,12 @@ Vec2 Moving::driven(Vec2 velocity, float dt) {
         all.push_back({plane.normal, dot(plane.normal, obstacles_.velocity_at(plane)) +
                                          min(share * overlap / dt, fastest)});
     }
-    return allowed_motion(velocity, all);
+    return allowed_motion(velocity, all, least_evasion);
 }
 
 Vec2 Moving::clipped(Vec2 velocity) {
     obstacles_.planes_at(position, 1.5f * settings_.skin, none, planes_);
-    return allowed_motion(velocity, bounds(velocity, false));
+    return allowed_motion(velocity, bounds(velocity, false), least_evasion);
 }
 
 }  // namespace fettle::physics::detail

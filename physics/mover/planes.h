@@ -16,7 +16,8 @@ struct Bound {
 /// the wanted one. Between two obstacles that press from nearly opposite sides, the nearest motion
 /// that both allow may lead out of the end of their wedge, hundreds of meters away.
 constexpr float most_evasion = 10.0f;
-/// The same between bodies that give way.
+/// The same between bodies that give way, and for velocities: what closes on a mover like a wedge
+/// does not throw it up.
 constexpr float least_evasion = 2.0f;
 
 /// The motion nearest to `wanted` that all bounds allow; if there is none, one that violates them

@@ -43,7 +43,8 @@ void limit_squeezed(const SolverInput& input, const Columns& columns, float dt);
 
 /// Limits the kinetic energy of groups of bodies that joints and contacts connect, if some of them
 /// are pressed together by the contacts `pressed`, or the step lists them: joints press them
-/// against obstacles, or they bounced at the same time. `h`: length of a sub-step, s.
+/// against obstacles, or they bounced at the same time; or if one of them has joints and has become
+/// much faster. `h`: length of a sub-step, s.
 void limit_strained(const SolverInput& input, const Columns& columns,
                     std::span<const uint32_t> pressed, float h);
 

@@ -12,6 +12,7 @@
 #include <solver/solvers.h>
 #include <state/joint_kind.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -34,7 +35,15 @@ class StrainedGroups {
     void limit(uint32_t body) {
         if (seen_[objects_.bodies[body].solver_index] != 0) return;
         find(body);
-        if (!driven_) limit_found();
+        if (!driven_) limit_found(1.0f, 0.0f);
+    }
+    /// The same for a body that has become much faster, if contacts act in its group. A host that
+    /// moves an anchor or winds up a rope gives energy, so the group may gain some in a step.
+    void limit_gain(uint32_t body) {
+        constexpr float most_gain = 1.1f, least = 0.5f;  // a factor of the energy; m/s
+        if (seen_[objects_.bodies[body].solver_index] != 0) return;
+        find(body);
+        if (!driven_ && touches_) limit_found(most_gain, 0.5f * least * least);
     }
 
   private:
@@ -48,7 +57,7 @@ class StrainedGroups {
 
     void find(uint32_t body) {
         group_.clear();
-        driven_ = held_ = false;
+        driven_ = held_ = touches_ = false;
         add(body);
         for (size_t i = 0; i < group_.size() && !driven_; ++i) {
             const uint32_t from = group_[i];
@@ -62,6 +71,7 @@ class StrainedGroups {
             objects_.for_each_contact(from, [&](uint32_t contact) {
                 const ContactRecord& c = objects_.contacts[contact];
                 if (!c.acts()) return;
+                touches_ = true;
                 driven_ = driven_ || c.surface_speed != 0.0f;
                 add(objects_.other_body(contact, from));
             });
@@ -107,9 +117,10 @@ class StrainedGroups {
         return sum;
     }
 
-    void limit_found() {
+    /// `gain` and `per_mass` (J/kg): what the group may gain.
+    void limit_found(float gain, float per_mass) {
         const Energy e = energy();
-        const double most = max(float(e.before + e.work), 0.0f);
+        const double most = gain * max(float(e.before + e.work), 0.0f) + per_mass * float(e.mass);
         if (!(e.after > most)) return;
         // What nothing fixed holds keeps its momentum.
         Vec2 mean;
@@ -134,8 +145,27 @@ class StrainedGroups {
     std::vector<uint8_t> seen_;    ///< by solver body
     std::vector<uint32_t> group_;  ///< slots
     bool driven_ = false;          ///< something may give energy to the group
+    bool touches_ = false;         ///< a contact acts on one of its bodies
     bool held_ = false;            ///< something that it cannot move touches it or is joined to it
 };
+
+/// Whether a body has become faster in the step by so much more than its forces explain that its
+/// group may have gained energy. Where contacts press bodies together that joints connect, as the
+/// thighs of a doll that lands, each sub-step begins with the impulses of the one before, which do
+/// not fit bodies that turn fast.
+bool is_much_faster(const SolverBody& now, const SolverForce& force, const BodyState& before,
+                    float inverse_h) {
+    constexpr float most = 4.0f, least = 4.0f;  // times the energy; of its double per mass, (m/s)²
+    // The square of the radius at which the mass would have the inertia of the body.
+    const float arm = now.inverse_inertia > 0.0f ? now.inverse_mass / now.inverse_inertia : 0.0f;
+    const auto energy = [arm](Vec2 velocity, float turn) {
+        return length_squared(velocity) + arm * turn * turn;
+    };
+    const float work =
+        2.0f * inverse_h * (dot(force.change, now.shift) + arm * force.turn_change * now.turn);
+    const float at_first = energy(before.velocity, before.angular_velocity);
+    return energy(now.velocity, now.angular_velocity) - work > most * at_first + least;
+}
 
 }  // namespace
 
@@ -155,6 +185,19 @@ void limit_strained(const SolverInput& input, const Columns& columns,
         if (!groups) groups.emplace(input, columns, h);
         groups->limit(c.body_a);
         groups->limit(c.body_b);
+    }
+    const auto& joints = input.active.awake_joints;
+    if (std::all_of(joints.begin(), joints.end(), [](const auto& of) { return of.empty(); }))
+        return;
+    const std::vector<uint32_t>& bodies = input.active.awake_bodies;
+    for (size_t i = 0; i < bodies.size(); ++i) {
+        const SolverBody& body = input.bodies.solver_bodies[i + 1];
+        const SolverForce& force = input.bodies.solver_forces[i + 1];
+        if (!is_much_faster(body, force, columns.states[bodies[i]], 1.0f / h) ||
+            !jointed(bodies[i]))
+            continue;
+        if (!groups) groups.emplace(input, columns, h);
+        groups->limit_gain(bodies[i]);
     }
 }
 

@@ -327,7 +327,7 @@ class ContactCallbacks {
     void call_all(uint32_t count, const char* name, const ContactCallback& function, auto&& make,
                   auto&& use) {
         WorldSelf& self = world_.self;
-        const bool parallel = self.parallel_callbacks;
+        const bool parallel = self.parallel_callbacks && !self.serial_callbacks;
         const uint32_t most = std::min(count, parallel ? 4096u : 1u);
         std::vector<ContactEdit> before(most), edits(most);
         std::vector<char> answered(most);

@@ -41,6 +41,7 @@ struct WorldSelf {
     PairFilter filter;
     ContactCallback mix, before_solve;
     bool parallel_callbacks = false;   ///< these two are called on all threads of a step
+    bool serial_callbacks = false;     ///< not even then: HostAccess::set_serial_callbacks
     bool calling_in_parallel = false;  ///< they are being called so
     RefreshCallback refresh;
     std::vector<Function<void()>> after_step;  ///< to be called once, after a step

@@ -78,6 +78,8 @@ const std::map<std::string, std::string> exceptions = {
     {"World::shape", "makes a handle, which is an id in C"},
     {"World::joint", "makes a handle, which is an id in C"},
     {"World::field", "makes a handle, which is an id in C"},
+    {"HostAccess::set_serial_callbacks",
+     "a host in C has no callbacks of its own beside those that it sets"},
     {"HostAccess::joint_generation",
      "its bounds cannot be asked for; fettle_world_joints lists the ids"},
     {"Shape::segment_surface_overrides",

@@ -34,6 +34,7 @@ void each_member(InC& c, MoverState& state, const Each& each) {
     each(c.ground_velocity, state.ground_velocity);
     each(c.on_ground, state.on_ground);
     each(c.climbing, state.climbing);
+    each(c.ground_part, state.ground_part);
 }
 
 namespace {

@@ -32,11 +32,12 @@ class MoverState(NamedTuple):
     """All that a mover keeps from move to move."""
     position: Vec2
     ground_normal: Vec2
-    ground_velocity: Vec2  # m/s; zero in the air
+    ground_velocity: Vec2  # with which its ground carries it, m/s; zero in the air but after a drop
     ground: Optional[Shape]
     dropped: Optional[Shape]
     on_ground: bool
     climbing: bool
+    ground_part: int = 0  # segment or piece of the ground, as in `Contact`
 
 
 class MoverPlane(NamedTuple):
@@ -127,6 +128,7 @@ class Mover(HasProperties):
 
     on_ground = _state_property("on_ground")
     ground = _state_property("ground", _shape_or_none)
+    ground_part = _state_property("ground_part")
     ground_normal = _state_property("ground_normal", lambda world, value: vec2(value))
     ground_velocity = _state_property("ground_velocity", lambda world, value: vec2(value))
     dropped = _state_property("dropped", _shape_or_none)
@@ -154,7 +156,7 @@ class Mover(HasProperties):
         """For saving the mover; it can be set again."""
         state = self._state
         return MoverState(vec2(state.position), vec2(state.ground_normal), vec2(state.ground_velocity), self.ground,
-                          self.dropped, state.on_ground, state.climbing)
+                          self.dropped, state.on_ground, state.climbing, state.ground_part)
 
     @state.setter
     def state(self, state):
@@ -167,6 +169,7 @@ class Mover(HasProperties):
         made.ground, made.dropped = id_of(state.ground, Shape), id_of(state.dropped, Shape)
         for name in ("on_ground", "climbing"):
             setattr(made, name, to_number("_Bool", getattr(state, name), name))
+        made.ground_part = to_number("uint32_t", state.ground_part, "ground_part")
         self._check_and_set({}, made)
 
     def move(self, velocity, dt):

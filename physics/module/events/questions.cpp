@@ -70,6 +70,8 @@ void Hosting::set_callbacks(HostedWorld& hosted, const Wanted& before) {
     if (wanted_.hits != before.hits)
         for (physics::Shape& shape : world.shapes()) shape.set_hit_events(wanted_.hits);
     world.set_persist_events(wanted_.persisting);
+    // Handlers may be functions of a script, and the tree is not made for several threads.
+    physics::HostAccess::set_serial_callbacks(world, wanted_.before_solve || wanted_.mixing);
     if (wanted_.before_solve != before.before_solve) {
         world.set_before_solve(!wanted_.before_solve ? physics::ContactCallback()
                                                      : [this, of](physics::ContactEdit& contact) {

@@ -111,6 +111,7 @@ Row Hosting::migrate_body(Row from, std::uint32_t to) {
     if (MoverRecord mover = hosted(from).movers.get(slot_of(from)); mover.slot != 0) {
         hosted(from).movers.reset(slot_of(from));
         mover.result.on_ground = 0;
+        mover.result.ground_x = mover.result.ground_y = 0.0f;
         mover.result.ground = mover.result.dropped = mover.events.bumped =
             mover.events.was_ground = {};
         target.movers.set(fresh.index(), mover);

@@ -22,13 +22,15 @@ struct MoverSettings {
 
 /// The state of a mover after its last step.
 struct MoverResult {
-    std::uint32_t crouched = 0, on_ground = 0, on_wall = 0, on_ceiling = 0, crushed = 0;
+    std::uint32_t crouched = 0, on_ground = 0, crushed = 0;
+    std::uint16_t on_wall = 0, on_ceiling = 0;
     float velocity_x = 0.0f, velocity_y = 0.0f;  // relative to the ground, m/s
     float shown_x = 0.0f, shown_y = 0.0f;        // velocity given to the body
     float place_x = 0.0f, place_y = 0.0f;        // where the body must be after the step
     float normal_x = 0.0f, normal_y = 0.0f;      // of the ground
     float ground_x = 0.0f, ground_y = 0.0f;      // velocity of the ground
     float left_x = 0.0f, left_y = 0.0f;          // in the air: of the ground that it left
+    std::uint32_t ground_part = 0;               // segment or piece of `ground`
     physics::ShapeId ground, dropped;
 };
 

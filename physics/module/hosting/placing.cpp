@@ -58,8 +58,11 @@ void Hosting::destroy_world(Row row) {
 Row Hosting::create_body(Handle self) {
     const Placing placing(*this);
     const std::uint32_t number = world_above(self);
-    const physics::Body made = worlds_[number]->world.create_body({.user_data = pack(self)});
+    physics::World& world = worlds_[number]->world;
+    const physics::Body made = world.create_body({.user_data = pack(self)});
     worlds_[number]->written_poses.note_new(made.index());
+    // The undo of a deletion brings back the body that a joint is tied to.
+    if (world.joint_count() > 0) joints.set_connect_needed();
     return row_of(number, made);
 }
 

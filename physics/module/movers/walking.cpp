@@ -23,6 +23,7 @@ physics::Mover mover_of(const MoverRecord& record, const physics::Body& body) {
     state.ground_normal = {record.result.normal_x, record.result.normal_y};
     state.ground_velocity = {record.result.ground_x, record.result.ground_y};
     state.ground = record.result.ground;
+    state.ground_part = record.result.ground_part;
     state.dropped = record.result.dropped;
     state.on_ground = record.result.on_ground != 0;
     state.climbing = record.settings.climbing != 0;
@@ -105,6 +106,7 @@ void store(MoverResult& to, const physics::Mover& mover, const physics::Moved& m
     to.on_ceiling = moved.hit_ceiling;
     to.crushed = moved.crushed;
     to.ground = state.ground;
+    to.ground_part = state.ground_part;
     to.dropped = state.dropped;
     to.normal_x = state.ground_normal.x;
     to.normal_y = state.ground_normal.y;
@@ -130,6 +132,7 @@ void leave_ground(MoverResult& result) {
     result.velocity_x += result.ground_x;
     result.velocity_y += result.ground_y;
     set_left_ground(result, {result.ground_x, result.ground_y});
+    result.ground_x = result.ground_y = 0.0f;
     result.on_ground = 0;
     result.ground = {};
 }
@@ -149,6 +152,7 @@ void remember_left_ground(MoverRecord& record, bool stood, const Vec2& ground, c
 /// Its ground, and what it falls through, are not those of its place now.
 void leave_place(MoverResult& result) {
     result.on_ground = 0;
+    result.ground_x = result.ground_y = 0.0f;
     result.ground = result.dropped = {};
     set_left_ground(result, {});
 }

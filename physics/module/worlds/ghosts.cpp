@@ -13,7 +13,8 @@ namespace {
 using property::Field;
 using property::Record;
 
-/// Steps times bodies that are awake in them; the copy makes no step beyond.
+/// For each step, the bodies that are awake in it and the points that are added, and a part of the
+/// others. The copy makes no step beyond.
 constexpr std::size_t most_work = 300'000;
 /// A body that stays this near to its place does not move, m and rad.
 constexpr double least_motion = 1e-3;
@@ -28,11 +29,20 @@ const std::vector<Field> ghost_fields = {
     {"angle", Type::number, "rad", "Its angle at the end."},
 };
 
-/// The path of a body, one pose for each step.
+/// The path of a body, one point for each step; only the first one as long as it does not move.
 struct Path {
     std::uint32_t body;
     double first_angle;
     std::vector<physics::Vec2> points{};
+
+    /// `step`: counted from 0. Returns the number of points that were added.
+    std::size_t add(std::size_t step, const physics::Vec2& point) {
+        if (points.size() == 1 && point == points.front()) return 0;
+        const std::size_t before = points.size();
+        if (before == 1) points.resize(step + 1, points.front());
+        points.push_back(point);
+        return points.size() - before;
+    }
 };
 
 bool moves(const Path& path, double angle) {
@@ -56,9 +66,10 @@ property::Result ghosts(Hosting& hosting, std::uint32_t number, double seconds) 
     std::size_t work = 0;
     for (int i = 0; i < steps && work < most_work; ++i) {
         copy.step(static_cast<float>(hosting.last_dt));
-        work += copy.statistics().awake_bodies + 1;
+        work += copy.statistics().awake_bodies + 1 + paths.size() / 8;
         for (Path& path : paths)
-            path.points.push_back(physics::HostAccess::state(copy, path.body).position);
+            work += path.add(static_cast<std::size_t>(i),
+                             physics::HostAccess::state(copy, path.body).position);
     }
     std::vector<Record> records;
     for (const Path& path : paths) {

@@ -126,4 +126,22 @@ TEST_CASE("a mover throws nothing that is much lighter than itself") {
     }
 }
 
+TEST_CASE("a mover stands on a platform without weight") {
+    World world;
+    Body deck = world.create_body({.gravity_scale = 0, .locked_rotation = true});
+    deck.add(Box{.width = 20, .height = 0.2f}, {.density = 500});
+    Mover mover({}, {0, 0.11f});
+    Vec2 velocity;
+    int stood = 0;
+    for (int i = 0; i < 60; ++i) {
+        if (!mover.on_ground()) velocity.y -= 10.0f / 60;
+        const Moved moved = mover.move(world, velocity, 1.0f / 60);
+        velocity = moved.velocity;
+        stood += moved.on_ground;
+        world.step(1.0f / 60);
+    }
+    CHECK(stood > 55);
+    CHECK(deck.velocity().y < -0.05f);  // its weight draws the deck down
+}
+
 }  // namespace light_ground_test

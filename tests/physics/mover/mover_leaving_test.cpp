@@ -1,6 +1,8 @@
 #include <fettle/physics/mover.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "catch.h"
 #include "scenes.h"
@@ -64,6 +66,91 @@ TEST_CASE("a mover that leaves a lift keeps the speed of the lift") {
     down.velocity.y = 5;
     down.step();
     REQUIRE(down.velocity.y == Approx(2).margin(0.2f));
+}
+
+TEST_CASE("a mover whose ground vanishes or lets it through keeps the velocity of the ground") {
+    const std::string how = GENERATE("body", "shape", "drop");
+    INFO(how);
+    Ride ride(40, {10, 0});
+    if (how == "drop") {
+        MoverDef def = ride.mover.definition();
+        def.ledges = 2;
+        ride.mover.set_definition(def);
+        ride.carrier.shapes()[0].set_category(2);
+        ride.step();
+        REQUIRE(ride.mover.drop(ride.world));
+    } else if (how == "body") {
+        ride.carrier.destroy();
+    } else {
+        ride.carrier.shapes()[0].destroy();
+    }
+    const float before = float(ride.mover.position().x);
+    ride.step(30);
+    CHECK(ride.velocity.x == Approx(10).margin(0.01f));
+    CHECK(float(ride.mover.position().x) - before == Approx(5).margin(0.2f));
+    CHECK_FALSE(ride.last.on_ground);
+}
+
+TEST_CASE("a mover that jumps in a rising lift lands in it") {
+    for (const float rises : {1.0f, 3.0f, 5.0f, 8.0f})
+        for (const float jump : {1.0f, 2.0f, 4.0f, 6.0f}) {
+            INFO("rises " << rises << ", jump " << jump);
+            Ride ride(4, {0, rises});
+            ride.velocity.y = jump;
+            ride.step();
+            CHECK_FALSE(ride.last.on_ground);
+            int steps = 1;
+            while (!ride.last.on_ground && steps < 240) ride.step(), ++steps;
+            CHECK(float(steps) * frame == Approx(2 * jump / 10).margin(0.07f));
+            CHECK(ride.velocity.y == Approx(0).margin(0.01f));
+        }
+}
+
+TEST_CASE("a mover drops through a ledge that rises") {
+    for (const float rises : {-3.0f, 0.0f, 1.0f, 3.0f, 5.0f}) {
+        INFO("rises " << rises);
+        Ride ride(4, {0, rises});
+        MoverDef def = ride.mover.definition();
+        def.ledges = 2;
+        ride.mover.set_definition(def);
+        ride.carrier.shapes()[0].set_category(2);
+        ride.step();
+        REQUIRE(ride.mover.drop(ride.world));
+        ride.step(60);
+        CHECK(ride.mover.position().y < ride.carrier.position().y - 2);
+    }
+}
+
+TEST_CASE("walls that close on a mover like a wedge do not throw it up") {
+    for (const float tilt : {0.02f, 0.05f, 0.1f, 0.2f})
+        for (const float speed : {1.0f, 2.5f, 4.0f}) {
+            INFO("tilt " << tilt << ", speed " << speed);
+            World world;
+            add_floor(world);
+            const auto wall = [&](float side) {
+                Body body = world.create_body({.type = BodyType::kinematic_body,
+                                               .position = {side * 2, 2},
+                                               .angle = -side * tilt,
+                                               .velocity = {-side * speed, 0}});
+                body.add(Box{.width = 1, .height = 4});
+                return body;
+            };
+            Body left = wall(-1), right = wall(1);
+            Mover mover({}, {0, 0.01f});
+            Vec2 velocity;
+            float fastest = 0.0f;
+            for (int i = 0; i < 200; ++i) {
+                if (!mover.on_ground()) velocity.y -= 10.0f * frame;
+                velocity = mover.move(world, velocity, frame).velocity;
+                fastest = std::max(fastest, velocity.y);
+                if (right.position().x - left.position().x < 1.6f) {
+                    left.set_velocity({0, 0});
+                    right.set_velocity({0, 0});
+                }
+                world.step(frame);
+            }
+            CHECK(fastest < 4.0f * speed);
+        }
 }
 
 TEST_CASE("a mover that walks off the rear edge of a platform keeps its speed over the ground") {

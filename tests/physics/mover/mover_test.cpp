@@ -243,6 +243,35 @@ TEST_CASE("a conveyor belt carries a mover") {
     CHECK(hero.x() == Approx(2.0f * 69 * frame).epsilon(0.05));
 }
 
+TEST_CASE("a segment of a chain with a speed of its own carries a mover") {
+    World world;
+    Shape ground = world.create_body({.type = BodyType::static_body})
+                       .add(Chain{.points = {{-20, 0}, {0, 0}, {20, 0}}});
+    SegmentSurface belt = surface_of_shape;
+    belt.surface_speed = -2;
+    ground.set_segment_surface(1, belt);
+    Walker still(world, {-5, 0.01f}), carried(world, {5, 0.01f});
+    still.step(0, 70);
+    carried.step(0, 70);
+    CHECK(still.x() == -5);
+    CHECK(carried.x() == Approx(5 + 2.0f * 69 * frame).epsilon(0.02));
+    CHECK(carried.mover.state().ground_part == 1);
+    CHECK(carried.last.ground_velocity.x == Approx(2));
+    ground.set_segment_surface(1, {});
+    carried.step(0, 70);
+    CHECK(carried.last.ground_velocity == Vec2{});
+}
+
+TEST_CASE("no belt carries a mover faster than a contact moves a body") {
+    World world;
+    add_floor(world, 50, {.surface_speed = 3e38f});
+    Walker hero(world, {0, 0.01f});
+    hero.step(0, 70);
+    CHECK(std::isfinite(hero.x()));
+    CHECK(hero.last.ground_velocity.length() <= 1e4f);
+    CHECK_NOTHROW(Mover().set_state(hero.mover.state()));
+}
+
 TEST_CASE("a mover pushes a light crate and not a heavy one") {
     for (const bool heavy : {false, true}) {
         World world;

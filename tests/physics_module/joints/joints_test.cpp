@@ -57,6 +57,28 @@ TEST_CASE_METHOD(Game, "a joint survives the deletion of its body and can get an
     CHECK(physics.world(world()).joint_count() == 0);
 }
 
+TEST_CASE_METHOD(Game, "the joints of a body act again when its deletion is undone") {
+    for (const char* type : {"RevoluteJoint", "DistanceJoint", "WeldJoint", "PrismaticJoint"}) {
+        INFO(type);
+        const Handle ball = body("Circle", {0, 5});
+        const Handle joint = make(type, world(), {{"body_b", ball}, {"anchor_a", Vec2(0, 5)}});
+        step(10);
+        const Vec2 before = vec(ball, "position");
+        {
+            const property::Tree::CauseScope cause(tree, property::Writer::console);
+            tree.destroy(ball);
+        }
+        step(6);
+        tree.undo();
+        REQUIRE(tree.alive(ball));
+        REQUIRE(get(joint, "body_b").reference() == ball);
+        step(60);
+        CHECK((vec(ball, "position") - before).length() < 1.5);
+        tree.destroy(ball);
+        tree.destroy(joint);
+    }
+}
+
 TEST_CASE_METHOD(Game, "a joint acts only while it is in the world of its body") {
     const Handle crate = body("Box", {0, 5});
     const Handle joint = make("MouseJoint", world(), {{"body", crate}, {"target", Vec2(0, 5)}});

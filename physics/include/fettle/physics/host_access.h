@@ -109,6 +109,9 @@ class HostAccess {
     /// them with `refresh`. Reads inside a step or inside the callback do not call it. Like the
     /// callbacks of `World`, it is not part of the state.
     static void on_refresh(World& world, RefreshCallback callback);
+    /// True: the callbacks of mixing and before-solve run on the thread of the caller, also if
+    /// `World::set_parallel_callbacks` permits others. For a host whose own callbacks call scripts.
+    static void set_serial_callbacks(World& world, bool serial);
     /// Makes the update that a read would make; does nothing if nothing is out of date or the slot
     /// is free. `World::refresh` updates everything.
     static void refresh(World& world, const Refresh& wanted);

@@ -47,13 +47,16 @@ struct MoverPlane {
 
 /// The state of a mover from one move to the next.
 struct MoverState {
-    Position position = {};     ///< of its feet, m
-    Vec2 ground_normal = {};    ///< zero in the air
-    Vec2 ground_velocity = {};  ///< with which its ground carries it, m/s; zero in the air
-    ShapeId ground = {};        ///< the shape on which it stands
-    ShapeId dropped = {};       ///< the shape through which it falls until it no longer overlaps it
-    bool on_ground = false;     ///< after the move: it stands
-    bool climbing = false;      ///< as `Mover::climbing`
+    Position position = {};   ///< of its feet, m
+    Vec2 ground_normal = {};  ///< zero in the air
+    /// With which its ground carries it, m/s; zero in the air. After `drop`, and if the ground was
+    /// destroyed, the next move adds it to the velocity of the mover.
+    Vec2 ground_velocity = {};
+    ShapeId ground = {};       ///< the shape on which it stands
+    uint32_t ground_part = 0;  ///< segment or piece of `ground`, as in `Contact`
+    ShapeId dropped = {};      ///< the shape through which it falls until it no longer overlaps it
+    bool on_ground = false;    ///< after the move: it stands
+    bool climbing = false;     ///< as `Mover::climbing`
 };
 
 /// The results of a move.

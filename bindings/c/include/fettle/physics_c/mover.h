@@ -36,9 +36,11 @@ typedef struct fettle_mover_state {
     bool climbing;               /* true: it moves freely, without ground, steps and rides */
     fettle_position position;    /* of its feet, m */
     fettle_vec2 ground_normal;   /* zero in the air */
-    fettle_vec2 ground_velocity; /* with which its ground carries it, m/s; zero in the air */
+    fettle_vec2 ground_velocity; /* with which its ground carries it, m/s; zero in the air but after
+                                    a drop */
     fettle_id ground;            /* the shape on which it stands; 0 in the air */
     fettle_id dropped;           /* the shape through which it falls; 0: none */
+    uint32_t ground_part;        /* segment or piece of the ground, as in fettle_contact */
 } fettle_mover_state;
 
 /** What happened in a move. */

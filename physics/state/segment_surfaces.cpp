@@ -1,4 +1,4 @@
-#include <edits/edits.h>
+#include <state/segment_surfaces.h>
 
 #include <algorithm>
 
