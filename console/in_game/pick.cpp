@@ -103,7 +103,8 @@ Handle pick_picture(const property::Tree& tree, Vec2 pixel, const ToPixels& to_p
 
 namespace {
 
-/// The first instance that a method of this name gives for a point.
+/// The first instance that a method of this name gives for a point. A method of this name that
+/// means something else gives none.
 Handle first_at(property::Tree& tree, std::string_view method, Vec2 point) {
     // The methods are called after the walk, because a method may change the tree.
     std::vector<Handle> with_method;
@@ -112,7 +113,12 @@ Handle first_at(property::Tree& tree, std::string_view method, Vec2 point) {
     });
     for (Handle each : with_method) {
         if (!tree.alive(each)) continue;
-        property::Result result = tree.call(each, method, {property::Value(point)});
+        property::Result result;
+        try {
+            result = tree.call(each, method, {property::Value(point)});
+        } catch (const std::exception&) {
+            continue;
+        }
         const auto* value = std::get_if<property::Value>(&result);
         if (value != nullptr && value->is(property::Type::reference) &&
             tree.alive(value->reference()))

@@ -31,8 +31,8 @@ class ExtraGlyphs {
     static constexpr std::size_t most = 4000;  ///< characters
 
     /// What most texts consist of, which the fonts always have: Latin letters of European
-    /// languages, Greek and Russian ones, punctuation, superscripts, currency, arrows, common
-    /// mathematics, box drawing, geometric shapes, check marks.
+    /// languages, the sign of formulas (ƒ), Greek and Russian letters, punctuation, superscripts,
+    /// currency, arrows, common mathematics, box drawing, geometric shapes, check marks.
     static const ImWchar* always();
     /// The ranges of all characters but those and control characters; they end with 0.
     static const ImWchar* others();

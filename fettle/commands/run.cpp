@@ -5,6 +5,7 @@
 #include <fettle/app/loudspeaker.h>
 #include <fettle/app/screen.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/last_value.h>
 #include <fettle/property/path.h>
 
 #include <command_line/subcommand.h>
@@ -243,7 +244,8 @@ class WindowRun {
         for (int n = 1; n <= 4 && may_go_back(); ++n) {
             const std::string path = "input.gamepad_" + std::to_string(n) + ".back";
             const property::Place place = property::resolve(tree, path);
-            held = held || tree.get(place.instance, *place.property) == property::Value(true);
+            held =
+                held || last_value(tree, place.instance, *place.property) == property::Value(true);
         }
         if (!held)
             back_since_.reset();

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include <fettle/property/storage/scene.h>
 
+#include <command_line/for_shell.h>
 #include <command_line/subcommand.h>
 #include <commands/commands.h>
 #include <ending/end_request.h>
@@ -31,14 +33,15 @@ std::vector<std::string> test_files(const fs::path& game) {
         if (it->path().extension() == ".lua")
             files.push_back((fs::path("tests") / it->path().filename()).generic_string());
     std::ranges::sort(files);
+    std::set<std::string> folders;
     for (fs::recursive_directory_iterator it(folder_of(game) / "tests", error), end;
          !error && it != end; it.increment(error))
-        if (it.depth() > 0 && it->path().extension() == ".lua") {
-            print_line("note  " +
-                       it->path().parent_path().lexically_relative(folder_of(game)).string() +
-                       ": only the files in tests itself are run, not those of its folders");
-            break;
-        }
+        if (it.depth() > 0 && it->path().extension() == ".lua")
+            folders.insert(
+                it->path().parent_path().lexically_relative(folder_of(game)).generic_string());
+    for (const std::string& folder : folders)
+        print_line("note  " + folder +
+                   ": only the files in tests itself are run, not those of its folders");
     if (files.empty())
         throw FileError(folder_of(game).string() +
                         ": this game has no tests; they are in files tests/NAME.lua");
@@ -65,7 +68,7 @@ void print_outcome(const TestOutcome& outcome, bool always_output) {
         print_indented(outcome.output, "        ");
     }
     if (!outcome.recording.empty())
-        print_line("      fettle run --replay " + outcome.recording.string());
+        print_line("      fettle run --replay " + for_shell(outcome.recording.string()));
 }
 
 class Suite {

@@ -2,6 +2,7 @@
 
 #include <fettle/property/error.h>
 #include <fettle/property/exception_text.h>
+#include <fettle/property/last_value.h>
 #include <fettle/property/utf8.h>
 
 #include <session/session.h>
@@ -93,7 +94,7 @@ void GameWindow::read_clipboard(Session& session) {
 
 void GameWindow::write_clipboard(Session& session) {
     const property::Tree& tree = session.tree();
-    const property::Value text = tree.get(tree.child(tree.root(), "input"), "clipboard");
+    const property::Value text = last_value(tree, tree.child(tree.root(), "input"), "clipboard");
     if (text.text() == clipboard_) return;
     clipboard_ = text.text();
     window_->clipboard().write(clipboard_);

@@ -4,6 +4,7 @@
 #include <fettle/property/error.h>
 #include <fettle/property/storage/game_files.h>
 
+#include <command_line/for_shell.h>
 #include <files/archive.h>
 #include <files/game_path.h>
 #include <files/recorded_files.h>
@@ -77,7 +78,7 @@ std::string Session::record(bool on) {
             }
         }
         return "recorded up to step " + std::to_string(services_->clock.step) +
-               "; fettle run --replay " + writing.string() + " plays it again";
+               "; fettle run --replay " + for_shell(writing.string()) + " plays it again";
     }
     if (!writing.empty()) return "the run is being recorded already, in " + writing.string();
     if (!recorder_->complete())

@@ -13,6 +13,7 @@
 #include <fettle/app/screen.h>
 #include <fettle/property/drawing.h>
 #include <fettle/property/fixed_text.h>
+#include <fettle/property/last_value.h>
 
 #include <loop/cameras.h>
 #include <loop/effects.h>
@@ -76,10 +77,10 @@ void draw_bars(property::Painter& painter, const View& view) {
 void draw_transition(property::Painter& painter, const property::Tree& tree, const Vec2& screen) {
     const property::Handle now = tree.child(tree.root(), "transition");
     if (!now || tree.class_of(now).name() != "Transition") return;
-    const std::string kind = tree.get(now, "kind").text();
+    const std::string kind = last_value(tree, now, "kind").text();
     if (kind == "none") return;
-    const double progress = tree.get(now, "progress").as_double();
-    Color color = tree.get(now, "color").color();
+    const double progress = last_value(tree, now, "progress").as_double();
+    Color color = last_value(tree, now, "color").color();
     const double covered = progress < 0.5 ? 2 * progress : 2 - 2 * progress;
     Vec2 from(0, 0), to = screen;
     painter.begin_screen();

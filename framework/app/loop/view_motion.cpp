@@ -113,9 +113,10 @@ void View::advance(const Tree& tree, double dt) {
         const Vec2 beyond = way - way.max(-half).min(half);
         const double share = follow_damping > 0 ? 1 - std::exp(-dt / follow_damping) : 1;
         const Vec2 next = center + share * beyond;
-        if (next.is_finite()) center = next.max({-1e9, -1e9}).min({1e9, 1e9});
+        if (next.is_finite()) center = next;
     }
     keep_to_limits();
+    center = center.max({-1e9, -1e9}).min({1e9, 1e9});
     shake_left = std::max(0.0, shake_left - dt);
     step_length = dt;
 }

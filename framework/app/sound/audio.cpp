@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fettle/property/error.h>
+#include <fettle/property/last_value.h>
 #include <fettle/property/spelling.h>
 
 #include <sound/audio_state.h>
@@ -81,11 +82,7 @@ double Audio::State::number(Handle of, const Property& property) const {
 }
 
 Value Audio::State::value(Handle of, const Property& property) const {
-    try {
-        return tree.get(of, property);
-    } catch (const property::Error&) {
-        return tree.peek(of, property);
-    }
+    return property::last_value(tree, of, property);
 }
 
 bool Audio::State::is_source(Handle instance) const {

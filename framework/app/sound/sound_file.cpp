@@ -46,9 +46,15 @@ bool ends_the_program(const std::string& bytes) {
     return true;
 }
 
-/// WAV files state how long they are, and a file that was cut off still states the old length.
-bool cut_off_wave(const std::string& bytes, std::uint64_t samples) {
-    return bytes.starts_with("RIFF") && samples > bytes.size();
+/// WAV and FLAC files state how long they are, and a file that was cut off still states the old
+/// length.
+bool is_cut_off(const std::string& bytes, sf::InputSoundFile& file) {
+    const std::uint64_t samples = file.getSampleCount(), last = file.getChannelCount();
+    if (bytes.starts_with("RIFF")) return samples > bytes.size();
+    if (!bytes.starts_with("fLaC")) return false;
+    std::int16_t frame[most_channels];
+    file.seek(samples - last);
+    return file.read(frame, last) < last;
 }
 
 }  // namespace
@@ -62,14 +68,12 @@ Stereo Samples::frame(std::uint64_t index) const {
 }
 
 SoundFile::SoundFile(std::string bytes) : bytes_(std::move(bytes)) {
+    const sfml::NoMessages quiet;
     sf::InputSoundFile file;
-    {
-        const sfml::NoMessages quiet;
-        if (ends_the_program(bytes_) || !file.openFromMemory(bytes_.data(), bytes_.size()))
-            throw std::invalid_argument(
-                "it is damaged, or in a format that cannot be played; WAV (PCM), OGG (Vorbis) and "
-                "FLAC can, and MP3 with SFML 2.6 or newer");
-    }
+    if (ends_the_program(bytes_) || !file.openFromMemory(bytes_.data(), bytes_.size()))
+        throw std::invalid_argument(
+            "it is damaged, or in a format that cannot be played; WAV (PCM), OGG (Vorbis) and "
+            "FLAC can, and MP3 with SFML 2.6 or newer");
     rate_ = file.getSampleRate();
     channels_ = file.getChannelCount();
     if (rate_ < 1000 || rate_ > 400000 || channels_ < 1 || channels_ > most_channels)
@@ -78,9 +82,9 @@ SoundFile::SoundFile(std::string bytes) : bytes_(std::move(bytes)) {
     const std::uint64_t samples = file.getSampleCount();
     frames_ = samples / channels_;
     if (frames_ == 0) throw std::invalid_argument("it is empty or damaged: it has no samples");
-    if (cut_off_wave(bytes_, samples) || duration() > longest)
+    if (duration() > longest || is_cut_off(bytes_, file))
         throw std::invalid_argument("it is damaged: it says that it is " +
-                                    property::number_text(std::round(duration())) +
+                                    property::number_text(std::round(10.0 * duration()) / 10.0) +
                                     " s long, and is too short for that");
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fettle/property/last_value.h>
+
 namespace fettle::interface {
 
 using app::Act;
@@ -164,8 +166,8 @@ bool Player::holds(const std::string& name) const {
     const property::Tree& tree = widgets_.tree();
     const Handle input = tree.child(tree.root(), "input");
     const Handle keys = input ? tree.child(input, "keys") : Handle{};
-    return keys &&
-           (tree.get(keys, "left_" + name).boolean() || tree.get(keys, "right_" + name).boolean());
+    return keys && (last_value(tree, keys, "left_" + name).boolean() ||
+                    last_value(tree, keys, "right_" + name).boolean());
 }
 
 bool Player::key(const std::string& name, bool repeated) {

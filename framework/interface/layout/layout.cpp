@@ -49,6 +49,7 @@ void Layout::update(const Vec2& screen) {
         arrange_panel(screen_panel, all, all);
     }
     order_.clear();
+    shown_.clear();
     sort_tops();
 }
 

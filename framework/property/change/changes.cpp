@@ -76,6 +76,16 @@ void Changes::queue_item(QueueItem item) {
     queue.items.push_back(std::move(item));
 }
 
+void Changes::forget_messages(std::size_t count) {
+    weight.add(-weight_of_message * static_cast<std::int64_t>(count));
+}
+
+std::vector<QueueItem> Changes::take_items() {
+    forget_messages(queue.items.size());
+    queue.changes.clear();
+    return std::exchange(queue.items, {});
+}
+
 void Changes::queue_change(Handle handle, const Property& property, const Value& old_value,
                            const Value& new_value, const Cause& cause) {
     if (replaying) return;

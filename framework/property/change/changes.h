@@ -74,6 +74,10 @@ struct Changes {
 
     // changes.cpp: the queue
     void queue_item(QueueItem item);
+    /// Empties the queue and returns its items.
+    std::vector<QueueItem> take_items();
+    /// To be called when items leave the queue: they take no memory any more.
+    void forget_messages(std::size_t count);
     void queue_change(Handle handle, const Property& property, const Value& old_value,
                       const Value& new_value, const Cause& cause);
     /// `recipient`: the only watcher to be called; 0: all watchers.

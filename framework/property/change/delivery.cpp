@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 
 #include "changes.h"
 
@@ -99,18 +100,19 @@ template void Changes::call(const Watcher&, const Occurrence&);  // used by ques
 /// called.
 void Changes::deliver_event(const Occurrence& occurrence, WatcherId until) {
     const Event& event = *occurrence.event;
-    if (event.begin != nullptr && queue.undelivered.take(occurrence)) return;
-    bool delivered = false;
-    for (const Watcher* watcher : watchers.of_event(occurrence.instance, event, until)) {
-        if (!watcher->active) continue;
+    std::optional<UndeliveredBegins::Reached> begin;
+    if (event.begin != nullptr) begin = queue.undelivered.take(occurrence);
+    const auto deleted = [this](const Value& value) { return names_deleted(tree, value); };
+    const auto all = watchers.of_event(occurrence.instance, event, until);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Watcher& watcher = *all[i];
+        if (!watcher.active || (begin && !begin->is_for(i, all.size()))) continue;
         if (nodes.find(occurrence.instance) == nullptr) return;
-        const auto deleted = [this](const Value& value) { return names_deleted(tree, value); };
         if (event.begin == nullptr && std::ranges::any_of(occurrence.record.values, deleted)) {
-            if (event.end != nullptr && !delivered) queue.undelivered.note(tree, occurrence);
+            if (event.end != nullptr) queue.undelivered.note(tree, occurrence, {all.size(), i});
             return;
         }
-        delivered = true;
-        call(*watcher, occurrence);
+        call(watcher, occurrence);
     }
 }
 

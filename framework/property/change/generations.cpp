@@ -21,7 +21,7 @@ void refuse_overrun(Changes& changes, const Generations& generations) {
                    ? nullptr
                    : &generations[g - 1][static_cast<std::size_t>(item->trigger)];
     }
-    changes.queue.clear();
+    (void)changes.take_items();
     const Error error(ErrorKind::no_barrier_end,
                       "handlers keep changing what handlers wait for: stopped after " +
                           std::to_string(max_generations) +

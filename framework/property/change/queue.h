@@ -46,11 +46,6 @@ struct Queue {
     std::ptrdiff_t item = -1;  // its index in the generation
     std::size_t part = 0;      // in a motion: the index of the change
     Watchers::List called;
-
-    void clear() {
-        items.clear();
-        changes.clear();
-    }
 };
 
 }  // namespace fettle::property

@@ -60,7 +60,12 @@ std::vector<CellChange> Shadows::compare(const Instances& instances, std::uint64
                 const double now = property.binding.number.get(property.binding, node.row);
                 if (same_bits(now, row.last.number())) continue;
             }
-            Value now = instances.read(row.instance.index, node, property);
+            Value now;
+            try {
+                now = instances.read(row.instance.index, node, property);
+            } catch (...) {  // a module that cannot give the value must not hide other changes
+                continue;
+            }
             if (now == row.last) continue;
             row.last.swap(now);
             row.step = step;

@@ -5,7 +5,13 @@
 #include <fettle/property/exception_text.h>
 #include <fettle/property/question.h>
 
+#include <values/weight.h>
+
 namespace fettle::property {
+
+void TreeWeight::add_name(Symbol name) {
+    if (names.insert(name.id()).second) add(weight_of_name);
+}
 
 void TreeWeight::add_content(std::uint32_t instance, std::int64_t more) {
     if (more == 0) return;
@@ -18,6 +24,12 @@ void TreeWeight::remove_content(std::uint32_t instance) {
     if (written == content.end()) return;
     bytes -= written->second;
     content.erase(written);
+}
+
+void TreeWeight::replace_content(const Content& image) {
+    for (const auto& [instance, weight] : content) bytes -= weight;
+    for (const auto& [instance, weight] : image) bytes += weight;
+    content = {image.begin(), image.end()};
 }
 
 void TreeWeight::pass_mark() {

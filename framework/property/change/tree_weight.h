@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include "errors.h"
 
@@ -19,14 +22,21 @@ struct TreeWeight {
     /// Of the texts and lists that were written to an instance, by the index of its node: ends with
     /// the instance.
     std::unordered_map<std::uint32_t, std::int64_t> content{};
+    std::unordered_set<std::uint32_t> names{};  // those that were counted
+    using Content = std::vector<std::pair<std::uint32_t, std::int64_t>>;
 
     void add(std::int64_t more) {
         bytes += more;
         if (bytes > mark) [[unlikely]]
             pass_mark();
     }
+    /// A name is never freed, so it counts once.
+    void add_name(Symbol name);
     void add_content(std::uint32_t instance, std::int64_t more);
     void remove_content(std::uint32_t instance);
+    /// For snapshots: `content`, and replacing it.
+    Content content_image() const { return {content.begin(), content.end()}; }
+    void replace_content(const Content& image);
 
   private:
     void pass_mark();

@@ -20,7 +20,8 @@ bool names_deleted(const Tree& tree, const Value& value) {
     return value.is(Type::reference) && value.reference() && !tree.alive(value.reference());
 }
 
-void UndeliveredBegins::note(const Tree& tree, const Occurrence& beginning) {
+void UndeliveredBegins::note(const Tree& tree, const Occurrence& beginning,
+                             const Reached& reached) {
     if (list_.size() >= limit) {
         std::erase_if(list_, [&](const Undelivered& undelivered) {
             return !tree.alive(undelivered.instance);
@@ -31,17 +32,18 @@ void UndeliveredBegins::note(const Tree& tree, const Occurrence& beginning) {
     const auto count =
         static_cast<std::ptrdiff_t>(std::min(values.size(), beginning.event->end->fields.size()));
     list_.push_back(
-        {beginning.instance, beginning.event, {values.begin(), values.begin() + count}});
+        {beginning.instance, beginning.event, {values.begin(), values.begin() + count}, reached});
 }
 
-bool UndeliveredBegins::take(const Occurrence& end) {
+std::optional<UndeliveredBegins::Reached> UndeliveredBegins::take(const Occurrence& end) {
     const auto found = std::ranges::find_if(list_, [&](const Undelivered& undelivered) {
         return undelivered.instance == end.instance && undelivered.event == end.event->begin &&
                undelivered.names == end.record.values;
     });
-    if (found == list_.end()) return false;
+    if (found == list_.end()) return std::nullopt;
+    const Reached reached = found->reached;
     list_.erase(found);
-    return true;
+    return reached;
 }
 
 }  // namespace fettle::property

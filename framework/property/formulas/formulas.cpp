@@ -85,6 +85,7 @@ std::vector<Formulas::Image> Formulas::images() const {
 
 void Formulas::clear() {
     for (const auto& e : order_) e->removed = true;
+    changes_.weight.add(-weight_of_formula * static_cast<std::int64_t>(entries_.size()));
     entries_.clear();
     order_.clear();
     dependents_.clear();

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include <fettle/property/utf8.h>
+
 namespace fettle::property {
 namespace {
 
 std::string short_text(std::string text) {
-    if (text.size() > 48) text = text.substr(0, 45) + "...";
+    if (text.size() > 48) text = text.substr(0, code_point_boundary(text, 45)) + "...";
     return text;
 }
 

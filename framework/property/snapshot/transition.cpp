@@ -59,9 +59,10 @@ void Transition::finish() {
 
 // Reports about the abandoned state are dropped, except reports of deletions and initial values.
 void Transition::drop_queued() {
-    std::erase_if(changes_.queue.items, [](const QueueItem& item) {
+    const std::size_t dropped = std::erase_if(changes_.queue.items, [](const QueueItem& item) {
         return !item.retire && item.kind != QueueItem::Kind::initial;
     });
+    changes_.forget_messages(dropped);
     for (QueueItem& item : changes_.queue.items) item.trigger = -1;
     changes_.queue.changes.clear();
     changes_.queue.undelivered.clear();

@@ -46,7 +46,8 @@ bool belongs_to_the_present(const Class& of, const Property& property) {
 // --- Saving
 
 std::size_t TreeMemory::bytes() const {
-    std::size_t sum = sizeof *this + parts.capacity() * sizeof parts[0];
+    std::size_t sum = sizeof *this + parts.capacity() * sizeof parts[0] +
+                      content.capacity() * sizeof(TreeWeight::Content::value_type);
     for (const Formulas::Image& image : formulas)
         // The text belongs to the game.
         sum += sizeof image + bytes_of(image.formula) - image.formula.holds;
@@ -124,6 +125,7 @@ std::shared_ptr<const TreeMemory> TreeImage::save(const Tree::State& state, Byte
     memory->parts = state.snapshots.numbers;
     memory->history = state.history.image();
     memory->formulas = state.formulas.images();
+    memory->content = state.changes.weight.content_image();
     to.put(std::uint64_t{memory->formulas.size()});
     for (const Formulas::Image& image : memory->formulas) {
         to.put(image.instance);
@@ -400,6 +402,7 @@ void TreeImage::read_formulas(ByteReader& from, const Memory& memory) {
     const auto& held = *static_cast<const TreeMemory*>(memory.get());
     history_ = held.history;
     formulas_ = held.formulas;
+    content_ = held.content;
 }
 
 /// A formula that has no text in the file: returns the formula that the running game has at the

@@ -3,6 +3,7 @@
 // completely before anything changes; then the result replaces the tree.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ struct TreeMemory {
     std::vector<std::uint64_t> parts;  // the numbers of those that there were
     Memory history;
     std::vector<Formulas::Image> formulas;
+    TreeWeight::Content content;
     /// Approximate memory in bytes. The history has a limit of its own.
     std::size_t bytes() const;
     /// Whether it was made by this tree.
@@ -92,7 +94,8 @@ class TreeImage {
     std::vector<AdHoc> ad_hoc_;
     std::vector<ByValue> values_;
     std::vector<Formulas::Image> formulas_;
-    std::vector<std::string> remarks_;  // one line for each loss
+    std::optional<TreeWeight::Content> content_;  // none: it is read from the restored values
+    std::vector<std::string> remarks_;            // one line for each loss
     UnfitValues unfit_;
     std::uint64_t step_ = 0;
     Memory history_;

@@ -71,11 +71,14 @@ void TreeImage::put_nodes() {
         if (of.snapshots() == Snapshots::never && now_.stored[of.id()] != nullptr)
             node.stored_row = lived ? now_.nodes[i].stored_row : now_.stored[of.id()]->add();
     }
+    s.changes.weight.bytes -= s.weight_of_instances();
     // Formulas depend on cells of the table that is replaced.
     s.formulas.clear();
     now_.nodes.replace(std::move(nodes_));
     s.changes.queue.fresh.clear();
     put_columns();
+    s.changes.weight.bytes += s.weight_of_instances();
+    s.changes.weight.replace_content(content_ ? *content_ : TreeWeight::Content{});
     s.changes.report_plain_writes();
     s.changes.author.step = step_;
     s.changes.stepped = s.changes.edited = true;
@@ -197,6 +200,8 @@ void TreeImage::drop(std::uint32_t index) {
     while (now_.nodes[index].first_child != 0)
         s.structure.destroy_below(now_.nodes[index].first_child);
     const Class& of = now_.classes[now_.nodes[index].class_id];
+    s.changes.weight.add(-s.weight_of(index));
+    s.changes.weight.remove_content(index);
     if (now_.stored[of.id()]) now_.stored[of.id()]->remove(now_.nodes[index].stored_row);
     if (now_.nodes[index].has_ad_hoc) now_.ad_hoc.of_instance.erase(index);
     now_.nodes.unlink(index);
@@ -226,6 +231,7 @@ void TreeImage::put_values() {
             }
         }
     put_formulas();
+    if (!content_) s.changes.weight.replace_content(s.read_content());
     s.snapshots.remarks = std::move(remarks_);
 }
 

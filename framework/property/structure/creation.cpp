@@ -64,10 +64,10 @@ std::uint32_t Structure::make(const Class& of, std::uint32_t parent, NodeName na
     }
     if (again) nodes.revive(again);
     const std::uint32_t index = again ? again.index : nodes.allocate();
-    const std::int64_t bytes =
-        weight_of_instance + of.weight() + (named && name.number == 0 ? weight_of_name : 0);
+    const std::int64_t bytes = weight_of_instance + of.weight();
     const Pin pin(changes.lifetime, "a lifecycle function");
     changes.weight.add(bytes);
+    if (named && name.number == 0) changes.weight.add_name(name.base);
     nodes[index].class_id = static_cast<std::uint16_t>(of.id());
     nodes[index].named = named;
     nodes[index].fresh = true;

@@ -76,8 +76,7 @@ void deliver_all(Tree::State& s, std::exception_ptr& first_error) {
     Generations generations;
     while (!queue.items.empty()) {
         if (generations.size() == max_generations) return refuse_overrun(s.changes, generations);
-        std::vector<QueueItem>& batch = generations.emplace_back(std::move(queue.items));
-        queue.clear();
+        std::vector<QueueItem>& batch = generations.emplace_back(s.changes.take_items());
         s.changes.forget_fresh(batch);
         for (std::size_t i = 0; i < batch.size(); ++i) {
             queue.item = static_cast<std::ptrdiff_t>(i);

@@ -49,6 +49,9 @@ void Tree::set_formula(Handle instance, const Property& property, Formula formul
 void Tree::set_formula(Handle instance, std::string_view name, Formula formula) {
     if (const Property* found = find(instance, name))
         return set_formula(instance, *found, std::move(formula));
+    if (!formula.function)
+        throw Error(ErrorKind::wrong_type,
+                    path(instance) + path_suffix(name) + ": a formula needs a function");
     // Adding the property and setting its formula are one step of undo.
     state_->history.begin(path(instance) + path_suffix(name) + ": a formula", false);
     struct End {

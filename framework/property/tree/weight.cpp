@@ -14,17 +14,57 @@ std::uint64_t Tree::State::next_number() {
     return ++last;
 }
 
+namespace {
+
+bool has_content(const Property& property) {
+    return property.any_type || property.type == Type::list ||
+           (property.type == Type::text && property.enumerators.empty());
+}
+
+}  // namespace
+
 void Tree::State::note_content(Handle instance, const Node& node, const Property& property,
                                const Value& old) {
-    const bool has_content = property.any_type || property.type == Type::list ||
-                             (property.type == Type::text && property.enumerators.empty());
-    if (!has_content) return;
+    if (!has_content(property)) return;
     const Value now = instances.read(instance.index, node, property);
     const std::int64_t grown = weight_beside(now, property) - weight_beside(old, property);
     if (property.binding.kind == BindingKind::ad_hoc)
         changes.weight.add(grown);
     else
         changes.weight.add_content(instance.index, grown);
+}
+
+std::int64_t Tree::State::weight_of(std::uint32_t index) const {
+    const Node& node = instances.nodes[index];
+    std::int64_t sum = weight_of_instance + std::int64_t{instances.class_of(node).weight()};
+    if (node.has_ad_hoc)
+        for (const auto& [name, cell] : instances.ad_hoc.of_instance.at(index))
+            sum += weight_of_own_property + weight_beside(cell.second);
+    return sum;
+}
+
+std::int64_t Tree::State::weight_of_instances() const {
+    std::int64_t sum = 0;
+    for (std::uint32_t i = 1; i < instances.nodes.end(); ++i)
+        if (instances.nodes[i].alive()) sum += weight_of(i);
+    return sum;
+}
+
+TreeWeight::Content Tree::State::read_content() const {
+    std::vector<std::vector<const Property*>> of_class(instances.classes.size());
+    for (std::uint32_t id = 0; id < instances.classes.size(); ++id)
+        for (const Property* property : instances.classes[id].properties())
+            if (has_content(*property) && !property->read_only) of_class[id].push_back(property);
+    TreeWeight::Content all;
+    for (std::uint32_t i = 1; i < instances.nodes.end(); ++i) {
+        const Node& node = instances.nodes[i];
+        if (!node.alive()) continue;
+        std::int64_t sum = 0;
+        for (const Property* property : of_class[node.class_id])
+            sum += weight_beside(instances.read(i, node, *property), *property);
+        if (sum != 0) all.emplace_back(i, sum);
+    }
+    return all;
 }
 
 std::int64_t Tree::weight() const {

@@ -35,13 +35,36 @@ std::string_view type_name(Type type) {
     return "?";
 }
 
+namespace {
+
+bool is_float(double number) {
+    return static_cast<double>(static_cast<float>(number)) == number;
+}
+
+/// Whether a number that is exactly a float needs many digits as a double, as values of physics do:
+/// the float nearest to 0.1 is 0.10000000149011612. Others, such as 1234567.125, may be floats by
+/// chance.
+bool is_long_float(double number) {
+    if (!is_float(number) || std::trunc(number) == number) return false;
+    char buffer[40];
+    const char* const end = std::to_chars(buffer, buffer + sizeof buffer, std::fabs(number),
+                                          std::chars_format::scientific)
+                                .ptr;
+    constexpr std::size_t most_digits = 12;  // few floats need so few by chance
+    const std::string_view text(buffer, static_cast<std::size_t>(end - buffer));
+    return text.find('e') > most_digits + 1;  // with the point
+}
+
+}  // namespace
+
 Precision shortest_precision(double number) {
-    return static_cast<double>(static_cast<float>(number)) == number ? Precision::single_precision
-                                                                     : Precision::double_precision;
+    return is_long_float(number) ? Precision::single_precision : Precision::double_precision;
 }
 
 Precision shortest_precision(const Vec2& vec) {
-    return std::max(shortest_precision(vec.x), shortest_precision(vec.y));
+    const bool floats = is_float(vec.x) && is_float(vec.y);
+    return floats && (is_long_float(vec.x) || is_long_float(vec.y)) ? Precision::single_precision
+                                                                    : Precision::double_precision;
 }
 
 std::string number_text(double number, Precision precision) {

@@ -271,7 +271,7 @@ int class_function(lua_State* L) {
     lua_pop(L, 1);
     // The result is callable. If a script uses it like a class, its error explains that the table
     // is missing.
-    lua_newuserdatauv(L, 0, 0);
+    *static_cast<Tag*>(lua_newuserdatauv(L, sizeof(Tag), 0)) = Tag::unfinished_class;
     lua_newtable(L);
     lua_pushvalue(L, 1);
     lua_pushvalue(L, 2);

@@ -24,7 +24,7 @@ std::vector<Property> ScriptClasses::own_properties(const Class& of) const {
 
 void ScriptClasses::begin_reload() {
     unfinished_.clear();
-    places_.clear();
+    earlier_places_ = std::exchange(places_, {});
     for (auto& [of, own] : infos_) {
         Earlier& earlier = earlier_[of];
         earlier.functions = std::exchange(own.functions, LUA_NOREF);
@@ -40,6 +40,7 @@ void ScriptClasses::begin_reload() {
 
 void ScriptClasses::end_reload(bool keep) {
     lua_State* const L = machine_.lua.main;
+    if (!keep) places_ = std::move(earlier_places_);
     for (auto& [of, earlier] : earlier_) {
         Info& own = info(*of);
         if (!keep) {
@@ -64,6 +65,26 @@ void ScriptClasses::end_reload(bool keep) {
         any_functions_ |= own.functions != LUA_NOREF;
         any_states_ |= own.states != LUA_NOREF;
     }
+}
+
+std::vector<std::string> ScriptClasses::lost_classes() const {
+    const property::Tree& tree = machine_.tree;
+    std::vector<std::string> notes;
+    for (const auto& [name, place] : earlier_places_) {
+        const Class* const of = places_.contains(name) ? nullptr : tree.find_class(name);
+        if (of == nullptr) continue;
+        const auto left = std::ranges::count_if(members_, [&](Handle member) {
+            return tree.alive(member) && &tree.class_of(member) == of;
+        });
+        const std::string where = place.empty()
+                                      ? std::string()
+                                      : ", which was at " + place.substr(0, place.size() - 2) + ",";
+        notes.push_back("reload: class " + name + where + " is no longer defined; " +
+                        std::to_string(left) +
+                        (left == 1 ? " instance of it is" : " instances of it are") +
+                        " left, without its functions");
+    }
+    return notes;
 }
 
 std::vector<std::string> ScriptClasses::lost_states() const {

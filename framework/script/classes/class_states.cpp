@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include <fettle/property/last_value.h>
 #include <fettle/property/path.h>
 #include <fettle/property/spelling.h>
 
@@ -63,7 +64,7 @@ int state_function(lua_State* L) {
         machine.classes.change_state(L, self, name);
         if (!machine.tree.alive(self)) return 0;  // its functions may have deleted it
     }
-    const Value now = machine.tree.get(self, current_name);
+    const Value now = last_value(machine.tree, self, current_name);
     push_text(L, now.text());
     return 1;
 }
@@ -84,7 +85,7 @@ std::vector<Property> state_properties() {
 }
 
 std::string current_state(const property::Tree& tree, Handle instance) {
-    return tree.get(instance, current_name).text();
+    return last_value(tree, instance, current_name).text();
 }
 
 bool ScriptClasses::has_states(const Class& of) const {
@@ -192,8 +193,8 @@ void ScriptClasses::require_known_state(Handle self, const Property& property,
 void ScriptClasses::enter_state(lua_State* L, Handle self) {
     property::Tree& tree = machine_.tree;
     const Class& of = tree.class_of(self);
-    const std::string from = tree.get(self, entered_name).text();
-    const std::string to = tree.get(self, current_name).text();
+    const std::string from = last_value(tree, self, entered_name).text();
+    const std::string to = last_value(tree, self, current_name).text();
     if (from == to) return;
     tree.set(self, entered_name, to);
     if (push_state_function(L, of, from, "leave")) {
@@ -201,7 +202,7 @@ void ScriptClasses::enter_state(lua_State* L, Handle self) {
         push_text(L, to);
         lua_call(L, 2, 0);
         // The function may have deleted the instance, or changed the state again.
-        if (!tree.alive(self) || tree.get(self, entered_name).text() != to) return;
+        if (!tree.alive(self) || last_value(tree, self, entered_name).text() != to) return;
     }
     if (push_state_function(L, of, to, "enter")) {
         push_instance(L, self);
@@ -230,7 +231,8 @@ void ScriptClasses::change_state(lua_State* L, Handle self, const std::string& n
 /// Enters a state that was assigned. An unknown one is an error, and the state stays.
 bool ScriptClasses::enter_assigned_state(Handle self) {
     property::Tree& tree = machine_.tree;
-    const Value current = tree.get(self, current_name), entered = tree.get(self, entered_name);
+    const Value current = last_value(tree, self, current_name),
+                entered = last_value(tree, self, entered_name);
     if (current == entered) return true;
     const Class& of = tree.class_of(self);
     return protected_run(machine_, Context(of.name() + ".states", self), [&](lua_State* L) {
@@ -257,7 +259,7 @@ bool ScriptClasses::step_states(double dt) {
         if (machine_.limiters.watchdog.stopped()) return ok;
         if (!tree.alive(self)) continue;
         const Class& of = tree.class_of(self);
-        const std::string state = tree.get(self, current_name).text();
+        const std::string state = last_value(tree, self, current_name).text();
         if (state.empty()) continue;
         ok &= protected_run(machine_, Context(of.name() + ".states." + state + ".step", self),
                             [&](lua_State* L) {

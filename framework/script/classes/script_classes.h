@@ -47,6 +47,8 @@ class ScriptClasses {
     void begin(const std::string& name, const std::string& place) { unfinished_[name] = place; }
     /// What a reload has left without effect: instances in a state that their class has no more.
     std::vector<std::string> lost_states() const;
+    /// The same: instances of classes that the files do not define any more.
+    std::vector<std::string> lost_classes() const;
     /// Name and place of each class whose table has not followed.
     const std::map<std::string, std::string, std::less<>>& unfinished() const {
         return unfinished_;
@@ -191,6 +193,7 @@ class ScriptClasses {
     std::unordered_map<const property::Class*, Earlier> earlier_;
     std::map<std::string, std::string, std::less<>> unfinished_;
     std::map<std::string, std::string> places_;  // of the classes that this load has defined
+    std::map<std::string, std::string> earlier_places_;  // during a reload: those of the last load
     bool any_functions_ = false;
     bool any_states_ = false;
     std::shared_ptr<std::int64_t> sent_ = std::make_shared<std::int64_t>(0);  // bytes

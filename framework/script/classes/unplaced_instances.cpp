@@ -2,6 +2,7 @@
 #include <unordered_set>
 
 #include <classes/unplaced_instances.h>
+#include <handlers/timers.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -39,7 +40,8 @@ void references_below(const property::Tree& tree, Handle top, std::vector<Handle
             if (property->type == Type::reference || property->any_type ||
                 (property->type == Type::list &&
                  (property->element == Type::reference || property->element == Type::nil)))
-                collect_references(tree.get(handle, *property), found);
+                // Not `get`: a formula in error refers to what its last value refers to.
+                collect_references(tree.peek(handle, *property), found);
     });
 }
 
@@ -76,7 +78,8 @@ void UnplacedInstances::restore(std::vector<property::Handle> those, std::size_t
 std::vector<Handle> dropped_instances(Machine& machine) {
     lua_State* L = machine.lua.main;
     lua_gc(L, LUA_GCCOLLECT);
-    // Instances that the tree or a script refers to stay, and so do those that they refer to.
+    // Instances that the tree or a script refers to stay, those that have a timer, and those that
+    // they refer to.
     std::vector<Handle> reachable = {machine.tree.root()};
     std::unordered_set<std::uint64_t> rest;
     for (const Handle handle : machine.unplaced.handles) {
@@ -86,6 +89,10 @@ std::vector<Handle> dropped_instances(Machine& machine) {
         else
             rest.insert(handle.key());
     }
+    for (const Handle owner : machine.timers.owners())
+        if (machine.tree.alive(owner))
+            if (const Handle top = top_of(machine.tree, owner); rest.erase(top.key()) > 0)
+                reachable.push_back(top);
     while (!rest.empty() && !reachable.empty()) {
         const Handle top = reachable.back();
         reachable.pop_back();

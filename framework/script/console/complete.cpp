@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include <fettle/property/last_value.h>
 #include <fettle/property/path.h>
 #include <fettle/script/runtime.h>
 
@@ -37,7 +38,9 @@ constexpr std::size_t max_compared = 2'000;
 
 std::string facts_with_value(const property::Tree& tree, Handle instance,
                              const Property& property) {
-    return cut(with_unit(tree, tree.get(instance, property), property), 40) + " · " +
+    const Value value = last_value(tree, instance, property);
+    const std::string problem = tree.problem(instance, property).empty() ? "" : "in error, ";
+    return problem + cut(with_unit(tree, value, property), 40) + " · " +
            property_facts(tree, property);
 }
 

@@ -73,8 +73,10 @@ std::vector<std::string> paths_in(std::string_view text) {
 Observed observed(Machine& machine, std::string text, property::Formula formula) {
     Observed result;
     result.text = std::move(text);
-    result.compute_formulas = [&machine, alive = machine.life.tree, paths = paths_in(result.text)] {
-        if (alive.expired() || machine.tree.formula_count() == 0) return;
+    // The runtime may end before the tree, and after it.
+    result.compute_formulas = [&machine, alive = machine.life.tree, lua = machine.lua.alive,
+                               paths = paths_in(result.text)] {
+        if (*lua == nullptr || alive.expired() || machine.tree.formula_count() == 0) return;
         for (const std::string& path : paths) try {
                 const property::Place place = property::resolve(machine.tree, path);
                 if (place.property != nullptr)
@@ -83,8 +85,9 @@ Observed observed(Machine& machine, std::string text, property::Formula formula)
                 // A variable, a function, or a formula in error: `value` says so.
             }
     };
-    result.value = [&machine, alive = machine.life.tree,
+    result.value = [&machine, alive = machine.life.tree, lua = machine.lua.alive,
                     function = std::move(formula.function)]() -> Value {
+        if (*lua == nullptr) throw Error(ErrorKind::deleted, "the runtime was destroyed");
         if (alive.expired()) throw Error(ErrorKind::deleted, "the tree was destroyed");
         const property::Inquiry inquiry(machine.tree, "what is observed", "cannot");
         try {

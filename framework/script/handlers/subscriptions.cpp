@@ -33,9 +33,12 @@ using Function = Subscription::Function;
 
 namespace {
 
-std::string path_if_alive(const property::Tree& tree, Handle instance, const Property& property) {
-    if (!tree.alive(instance)) return "(deleted)" + property::path_suffix(property.name);
-    return tree.path(instance, property);
+/// The path of a property; "(deleted ball).mass" if an earlier handler has deleted the instance.
+std::string path_or_name(const property::Tree& tree, Handle instance, const Property& property) {
+    if (tree.alive(instance)) return tree.path(instance, property);
+    const auto remains = tree.deleted_info(instance);
+    return "(deleted" + (remains ? " " + remains->name : std::string()) + ")" +
+           property::path_suffix(property.name);
 }
 
 void push_change(lua_State* L, const Change& change) {
@@ -44,7 +47,7 @@ void push_change(lua_State* L, const Change& change) {
     push_instance(L, change.instance);
     lua_setfield(L, -2, "instance");
     put(L, "property", change.property->name);
-    put(L, "path", path_if_alive(machine.tree, change.instance, *change.property));
+    put(L, "path", path_or_name(machine.tree, change.instance, *change.property));
     put(L, "cause", change.cause.text());
     put(L, "step", static_cast<lua_Integer>(change.cause.step));
     put(L, "restored", change.cause.writer == property::Writer::restore);

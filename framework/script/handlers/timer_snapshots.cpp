@@ -28,9 +28,12 @@ void Timers::restore(const Queue& image, double to, std::uint64_t next) {
     for (const auto& [key, timer] : queue_)
         if (timer.top && key.second >= next && !ended(timer))
             after_reload.emplace(Key{key.first - now + to, key.second}, timer);
+    const std::size_t before = queue_.size();
     queue_ = image;
     std::erase_if(queue_, [&](const auto& each) { return retired_.contains(each.first.second); });
     queue_.merge(after_reload);
+    machine_.tree.add_weight(weight_of_timer * (static_cast<std::int64_t>(queue_.size()) -
+                                                static_cast<std::int64_t>(before)));
     due_.clear();
     for (const auto& [key, timer] : queue_) due_.emplace(key.second, key.first);
     changes_ = {.all = noting_, .queue = {}, .list = {}};

@@ -181,6 +181,18 @@ void Timers::replace(const Noted& old, const Noted& by) {
     insert({when, by.id}, timer);
 }
 
+std::vector<Handle> Timers::owners() const {
+    std::vector<Handle> all;
+    const auto add = [&](const Timer& timer) {
+        for (const Handle each : {timer.owner, timer.scene})
+            if (each) all.push_back(each);
+    };
+    for (const auto& [key, timer] : queue_) add(timer);
+    for (const Parked& parked : parked_) add(parked.timer);
+    for (const auto& [id, each] : real_) add(each.timer);
+    return all;
+}
+
 void Timers::change_owner(Handle from, Handle to) {
     for (auto& [key, timer] : queue_)
         for (Handle* const each : {&timer.owner, &timer.scene})

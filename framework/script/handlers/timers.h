@@ -74,6 +74,8 @@ class Timers {
     void replace(const Noted& old, const Noted& by);
     /// From now on no restore starts this timer again, because a reload has replaced its code.
     void retire(const Noted& noted) { retired_.insert(noted.id); }
+    /// The instances with whose deletion timers end.
+    std::vector<property::Handle> owners() const;
     /// Makes the timers of `from` those of `to`.
     void change_owner(property::Handle from, property::Handle to);
 

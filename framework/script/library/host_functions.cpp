@@ -33,7 +33,9 @@ Value result_of(const HostFunction& function, const std::vector<Value>& argument
 
 // Upvalue: the address of the function, which the host's parts keep.
 int call_host(lua_State* L) {
-    const auto& function = *static_cast<HostFunction*>(lua_touserdata(L, lua_upvalueindex(1)));
+    // A copy, because the call may replace it.
+    const HostFunction function =
+        *static_cast<HostFunction*>(lua_touserdata(L, lua_upvalueindex(1)));
     std::vector<Value> arguments;
     for (int i = 1; i <= lua_gettop(L); ++i) arguments.push_back(to_value(L, i));
     push_value(L, result_of(function, arguments));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include <fettle/property/last_value.h>
 #include <fettle/property/spelling.h>
 
 #include <calls/protected.h>
@@ -185,11 +186,11 @@ void change_without_transition(Machine& machine) {
         property::Tree& tree = machine.tree;
         const Handle due = tree.child(tree.root(), transition_name);
         if (!due || tree.class_of(due).name() != "Transition" ||
-            tree.get(due, "kind").text() != "none")
+            last_value(tree, due, "kind").text() != "none")
             return;
-        const std::string name = tree.get(due, "to").text();
-        const Arguments arguments{.value = tree.get(due, "args"),
-                                  .named = tree.get(due, "named").boolean()};
+        const std::string name = last_value(tree, due, "to").text();
+        const Arguments arguments{.value = last_value(tree, due, "args"),
+                                  .named = last_value(tree, due, "named").boolean()};
         tree.destroy(due);
         change_scene(machine, name, arguments);
     });
@@ -255,11 +256,19 @@ int go_to_scene(lua_State* L) {
         throw Error(ErrorKind::bad_name, "go_to_scene: game.transition is something else");
     if (seconds == 0) kind = "none";
     // A transition that covers the screen already goes on with the new scene.
-    if (now && tree.get(now, "done").boolean()) {
+    if (now && last_value(tree, now, "done").boolean()) {
         tree.destroy(now);
         now = {};
     }
-    if (!now) now = tree.create(tree.class_named("Transition"), tree.root(), transition_name);
+    const bool made = !now;
+    if (made) now = tree.create(tree.class_named("Transition"), tree.root(), transition_name);
+    try {  // what is refused changes nothing
+        if (!color.is_nil()) color = tree.coerce(now, tree.property(now, "color"), color);
+        arguments.value = tree.coerce(now, tree.property(now, "args"), arguments.value);
+    } catch (...) {
+        if (made) tree.destroy(now);
+        throw;
+    }
     tree.set(now, "kind", kind);
     tree.set(now, "seconds", seconds);
     tree.set(now, "to", name);
@@ -284,16 +293,16 @@ void advance_transition(Machine& machine, double seconds) {
     if (!now || tree.class_of(now).name() != "Transition") return;
     static std::function<std::string()> where = [] { return std::string("go_to_scene"); };
     const property::Tree::CauseScope cause(tree, property::Writer::module, &where);
-    if (tree.get(now, "kind").text() == "none") return change_without_transition(machine);
-    const double length = std::max(1e-9, tree.get(now, "seconds").as_double());
-    double progress = tree.get(now, "progress").as_double() + seconds / length;
-    if (!tree.get(now, "done").boolean() && progress >= 0.5) {
+    if (last_value(tree, now, "kind").text() == "none") return change_without_transition(machine);
+    const double length = std::max(1e-9, last_value(tree, now, "seconds").as_double());
+    double progress = last_value(tree, now, "progress").as_double() + seconds / length;
+    if (!last_value(tree, now, "done").boolean() && progress >= 0.5) {
         // A picture of the covered screen comes before the new scene, however long a frame takes.
         progress = 0.5;
         tree.set(now, "done", true);
-        change_at_barrier(
-            machine, tree.get(now, "to").text(),
-            {.value = tree.get(now, "args"), .named = tree.get(now, "named").boolean()});
+        change_at_barrier(machine, last_value(tree, now, "to").text(),
+                          {.value = last_value(tree, now, "args"),
+                           .named = last_value(tree, now, "named").boolean()});
     }
     if (progress >= 1)
         tree.destroy(now);

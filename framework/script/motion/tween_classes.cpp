@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <fettle/property/last_value.h>
+
 #include <motion/ease.h>
 #include <motion/tween_classes.h>
 
@@ -163,7 +165,7 @@ struct Extent {
 };
 
 double runs_of(const Tree& tree, Handle each) {
-    return tree.get(each, "loops").as_double();
+    return last_value(tree, each, "loops").as_double();
 }
 
 Extent extent(const Tree& tree, Handle each, int depth);
@@ -171,12 +173,12 @@ Extent extent(const Tree& tree, Handle each, int depth);
 /// Of one run.
 Extent extent_of_run(const Tree& tree, Handle each, int depth) {
     if (const Property* seconds = tree.find(each, "seconds")) {
-        const double length = tree.get(each, *seconds).as_double();
-        return {length, length * tree.get(each, "progress").as_double()};
+        const double length = last_value(tree, each, *seconds).as_double();
+        return {length, length * last_value(tree, each, "progress").as_double()};
     }
     const Property* kind = tree.find(each, "kind");
     if (kind == nullptr || depth >= deepest_tweens) return {};
-    const bool together = tree.get(each, *kind).text() == in_parallel;
+    const bool together = last_value(tree, each, *kind).text() == in_parallel;
     Extent sum;
     for (const Handle child : tree.children(each)) {
         const Extent part = extent(tree, child, depth + 1);
@@ -184,7 +186,7 @@ Extent extent_of_run(const Tree& tree, Handle each, int depth) {
         sum.passed = together ? std::max(sum.passed, part.passed) : sum.passed + part.passed;
     }
     // The shorter ones begin later in a run that goes back.
-    if (together) sum.passed = std::max(sum.passed, tree.get(each, "run_time").as_double());
+    if (together) sum.passed = std::max(sum.passed, last_value(tree, each, "run_time").as_double());
     return sum;
 }
 
@@ -193,11 +195,11 @@ Extent extent(const Tree& tree, Handle each, int depth) {
     const Extent run = extent_of_run(tree, each, depth);
     return tree.find(each, "loops") == nullptr
                ? run
-               : run.repeated(runs_of(tree, each), tree.get(each, "turn").as_double());
+               : run.repeated(runs_of(tree, each), last_value(tree, each, "turn").as_double());
 }
 
 Value progress_of_group(void*, const Tree& tree, Handle self) {
-    if (tree.get(self, "over").boolean()) return 1.0;
+    if (last_value(tree, self, "over").boolean()) return 1.0;
     const Extent all = extent_of_run(tree, self, 0);
     return all.length > 0 ? std::min(all.passed / all.length, 1.0) : 0.0;
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <exception>
 
+#include <fettle/property/last_value.h>
 #include <fettle/property/spelling.h>
 
 #include <calls/protected.h>
@@ -23,8 +24,8 @@ constexpr std::size_t most_deleted_targets = 256;
 
 std::pair<std::uint64_t, std::string> moved_by(const Tree& tree, const TweenClasses& classes,
                                                Handle tween) {
-    return {tree.get(tween, classes.tween.target).reference().key(),
-            tree.get(tween, classes.tween.property).text()};
+    return {last_value(tree, tween, classes.tween.target).reference().key(),
+            last_value(tree, tween, classes.tween.property).text()};
 }
 
 std::function<std::string()>& where() {
@@ -88,15 +89,15 @@ Value Tweens::require_possible(Handle target, const std::string& name, const Val
 void Tweens::require_valid(Handle made) const {
     const Tree& tree = machine_.tree;
     if (!tree.class_of(made).is_a(classes_.tween.of)) return;
-    const std::string name = tree.get(made, classes_.tween.property).text();
-    const Handle target = tree.get(made, classes_.tween.target).reference();
-    const Value to = tree.get(made, classes_.tween.to);
+    const std::string name = last_value(tree, made, classes_.tween.property).text();
+    const Handle target = last_value(tree, made, classes_.tween.target).reference();
+    const Value to = last_value(tree, made, classes_.tween.to);
     // What is missing may be assigned later.
     if (name.empty() || !tree.alive(target)) return;
     if (to.is_nil())
         (void)tree.property(target, name);
     else
-        (void)require_possible(target, name, tree.get(made, classes_.tween.from), to,
+        (void)require_possible(target, name, last_value(tree, made, classes_.tween.from), to,
                                tree.class_of(made).name());
 }
 
@@ -184,7 +185,7 @@ std::vector<Handle> Tweens::deleted_targets() {
 bool Tweens::over(Handle each) const {
     const Tree& tree = machine_.tree;
     const bool tween = tree.class_of(each).is_a(classes_.tween.of);
-    return tree.get(each, tween ? classes_.tween.over : classes_.group.over).boolean();
+    return last_value(tree, each, tween ? classes_.tween.over : classes_.group.over).boolean();
 }
 
 /// What a game adds below `game.tweens` besides tweens is left alone.
@@ -198,7 +199,7 @@ bool Tweens::running(Handle each) const {
 bool Tweens::pauses(Handle each) const {
     const Tree& tree = machine_.tree;
     const bool tween = tree.class_of(each).is_a(classes_.tween.of);
-    return tree.get(each, tween ? classes_.tween.pauses : classes_.group.pauses).boolean();
+    return last_value(tree, each, tween ? classes_.tween.pauses : classes_.group.pauses).boolean();
 }
 
 /// `pausing`: those that pause with the game, else those in real time.
@@ -245,12 +246,12 @@ std::optional<double> Tweens::advance_group(Handle group, double dt, int depth) 
     constexpr int most_runs = 64;  // in a step
     Tree& tree = machine_.tree;
     if (depth >= deepest_tweens) return std::nullopt;
-    if (tree.get(group, classes_.group.paused).boolean()) return std::nullopt;
+    if (last_value(tree, group, classes_.group.paused).boolean()) return std::nullopt;
     for (int run = 0; run < most_runs; ++run) {
         const std::optional<double> left = advance_run(group, dt, depth);
         if (!left) return std::nullopt;
-        const std::int64_t loops = tree.get(group, classes_.group.loops).integer();
-        const std::int64_t turn = tree.get(group, classes_.group.turn).integer() + 1;
+        const std::int64_t loops = last_value(tree, group, classes_.group.loops).integer();
+        const std::int64_t turn = last_value(tree, group, classes_.group.turn).integer() + 1;
         const std::vector<Handle> members = tree.children(group);
         const bool empty =
             std::ranges::none_of(members, [this](Handle member) { return running(member); });
@@ -270,11 +271,11 @@ std::optional<double> Tweens::advance_group(Handle group, double dt, int depth) 
 /// One run of the members, or what is left of it.
 std::optional<double> Tweens::advance_run(Handle group, double dt, int depth) {
     Tree& tree = machine_.tree;
-    const bool together = tree.get(group, classes_.group.kind).text() == in_parallel;
+    const bool together = last_value(tree, group, classes_.group.kind).text() == in_parallel;
     const bool back = goes_back(group);
     std::vector<Handle> members = tree.children(group);
     if (back && !together) std::ranges::reverse(members);
-    const double begun = together ? tree.get(group, classes_.group.run_time).number() : 0;
+    const double begun = together ? last_value(tree, group, classes_.group.run_time).number() : 0;
     const double length = together && back ? seconds_of_run(tree, group) : 0;
     double left = dt;
     bool all_over = true;
@@ -300,12 +301,12 @@ std::optional<double> Tweens::advance_run(Handle group, double dt, int depth) {
 /// Whether the members of the group run backwards now.
 bool Tweens::goes_back(Handle group) const {
     const Tree& tree = machine_.tree;
-    const bool reversed = tree.get(group, classes_.group.reversed).boolean();
-    std::int64_t turn = tree.get(group, classes_.group.turn).integer();
+    const bool reversed = last_value(tree, group, classes_.group.reversed).boolean();
+    std::int64_t turn = last_value(tree, group, classes_.group.turn).integer();
     if (reversed)
-        turn =
-            std::max<std::int64_t>(1, tree.get(group, classes_.group.loops).integer()) - 1 - turn;
-    const bool back = tree.get(group, classes_.group.alternate).boolean() && turn % 2 != 0;
+        turn = std::max<std::int64_t>(1, last_value(tree, group, classes_.group.loops).integer()) -
+               1 - turn;
+    const bool back = last_value(tree, group, classes_.group.alternate).boolean() && turn % 2 != 0;
     return back != reversed;
 }
 
@@ -334,26 +335,27 @@ void Tweens::begin_run(Handle group, int depth) {
 
 std::optional<double> Tweens::advance_tween(Handle tween, double dt) {
     Tree& tree = machine_.tree;
-    const bool moves = !tree.get(tween, classes_.tween.property).text().empty();
-    const Handle moved = tree.get(tween, classes_.tween.target).reference();
+    const bool moves = !last_value(tree, tween, classes_.tween.property).text().empty();
+    const Handle moved = last_value(tree, tween, classes_.tween.target).reference();
     if (moves && !tree.alive(moved)) {
         note_deleted(moved);
         tree.destroy(tween);
         return dt;
     }
-    const double shown = tree.get(tween, classes_.tween.shown).number();
-    if (tree.get(tween, classes_.tween.paused).boolean()) {
+    const double shown = last_value(tree, tween, classes_.tween.shown).number();
+    if (last_value(tree, tween, classes_.tween.paused).boolean()) {
         // A progress that was set meanwhile is shown.
-        if (moves && shown >= 0 && shown != tree.get(tween, classes_.tween.progress).number())
+        if (moves && shown >= 0 &&
+            shown != last_value(tree, tween, classes_.tween.progress).number())
             show(tween);
         return std::nullopt;
     }
     if (moves && shown < 0 && !begin(tween)) return dt;
     const std::optional<double> left = pass_time(tween, dt);
     if (moves) {
-        const Handle target = tree.get(tween, classes_.tween.target).reference();
+        const Handle target = last_value(tree, tween, classes_.tween.target).reference();
         const Property& property =
-            tree.property(target, tree.get(tween, classes_.tween.property).text());
+            tree.property(target, last_value(tree, tween, classes_.tween.property).text());
         if (tree.formula(target, property) != nullptr) {  // it was given later, so it wins
             tree.destroy(tween);
             return dt;
@@ -369,10 +371,10 @@ std::optional<double> Tweens::advance_tween(Handle tween, double dt) {
 /// Moves the progress on, and begins the next run where one ends.
 std::optional<double> Tweens::pass_time(Handle tween, double dt) {
     Tree& tree = machine_.tree;
-    const double seconds = tree.get(tween, classes_.tween.seconds).number();
-    const std::int64_t loops = tree.get(tween, classes_.tween.loops).integer();
-    std::int64_t turn = tree.get(tween, classes_.tween.turn).integer();
-    double progress = tree.get(tween, classes_.tween.progress).number();
+    const double seconds = last_value(tree, tween, classes_.tween.seconds).number();
+    const std::int64_t loops = last_value(tree, tween, classes_.tween.loops).integer();
+    std::int64_t turn = last_value(tree, tween, classes_.tween.turn).integer();
+    double progress = last_value(tree, tween, classes_.tween.progress).number();
     // Without a duration, an endless tween makes one run a step.
     progress = seconds > 0 ? progress + dt / seconds : progress + 1;
     std::optional<double> left;
@@ -398,15 +400,15 @@ std::optional<double> Tweens::pass_time(Handle tween, double dt) {
 /// has ended.
 bool Tweens::begin(Handle tween) {
     Tree& tree = machine_.tree;
-    const Handle target = tree.get(tween, classes_.tween.target).reference();
-    const std::string name = tree.get(tween, classes_.tween.property).text();
+    const Handle target = last_value(tree, tween, classes_.tween.target).reference();
+    const std::string name = last_value(tree, tween, classes_.tween.property).text();
     const Property& property = tree.property(target, name);
     if (tree.formula(target, property) != nullptr) {  // it was given later, so it wins
         tree.destroy(tween);
         return false;
     }
     stop_others(tween, target, name);
-    if (tree.get(tween, classes_.tween.from).is_nil())
+    if (last_value(tree, tween, classes_.tween.from).is_nil())
         tree.set(tween, classes_.tween.from, tree.get(target, property));
     return true;
 }
@@ -418,7 +420,7 @@ void Tweens::note_begun(Handle within, int depth) {
         if (!running(each)) continue;
         if (tree.class_of(each).is_a(classes_.group.of))
             note_begun(each, depth + 1);
-        else if (tree.get(each, classes_.tween.shown).number() >= 0)
+        else if (last_value(tree, each, classes_.tween.shown).number() >= 0)
             (*begun_)[moved_by(tree, classes_, each)].push_back(each);
     }
 }
@@ -439,25 +441,26 @@ void Tweens::stop_others(Handle tween, Handle target, const std::string& name) {
 /// Writes the value at the current progress to the property.
 void Tweens::show(Handle tween) {
     Tree& tree = machine_.tree;
-    const Handle target = tree.get(tween, classes_.tween.target).reference();
+    const Handle target = last_value(tree, tween, classes_.tween.target).reference();
     const Property& property =
-        tree.property(target, tree.get(tween, classes_.tween.property).text());
-    const Value from = tree.get(tween, classes_.tween.from),
-                to = tree.get(tween, classes_.tween.to);
+        tree.property(target, last_value(tree, tween, classes_.tween.property).text());
+    const Value from = last_value(tree, tween, classes_.tween.from),
+                to = last_value(tree, tween, classes_.tween.to);
     if (!mixable(from, to))
         throw Error(ErrorKind::wrong_type,
                     "there are no values between " + tree.text(from) + " and " + tree.text(to));
-    const double progress = tree.get(tween, classes_.tween.progress).number();
-    const bool reversed = tree.get(tween, classes_.tween.reversed).boolean();
-    std::int64_t turn = tree.get(tween, classes_.tween.turn).integer();
+    const double progress = last_value(tree, tween, classes_.tween.progress).number();
+    const bool reversed = last_value(tree, tween, classes_.tween.reversed).boolean();
+    std::int64_t turn = last_value(tree, tween, classes_.tween.turn).integer();
     if (reversed)
-        turn =
-            std::max<std::int64_t>(1, tree.get(tween, classes_.tween.loops).integer()) - 1 - turn;
-    const bool back = tree.get(tween, classes_.tween.alternate).boolean() && turn % 2 != 0;
+        turn = std::max<std::int64_t>(1, last_value(tree, tween, classes_.tween.loops).integer()) -
+               1 - turn;
+    const bool back = last_value(tree, tween, classes_.tween.alternate).boolean() && turn % 2 != 0;
     const double time = back != reversed ? 1 - progress : progress;
-    const std::string kind = tree.get(tween, classes_.tween.ease).text();
-    const double part = kind == "curve" ? ease(tree.get(tween, classes_.tween.curve).list(), time)
-                                        : ease(kind, time);
+    const std::string kind = last_value(tree, tween, classes_.tween.ease).text();
+    const double part = kind == "curve"
+                            ? ease(last_value(tree, tween, classes_.tween.curve).list(), time)
+                            : ease(kind, time);
     tree.set(target, property, mix(from, to, part, property));
     tree.set(tween, classes_.tween.shown, progress);
 }

@@ -166,20 +166,6 @@ std::string classes_declaring(const property::Tree& tree, const std::string& nam
     return text;
 }
 
-/// "; its shapes have it, as in Circle { radius = ... }", or "" if no shape of a body has it.
-std::string hint_at_shapes(const property::Tree& tree, const Class& of, const std::string& name) {
-    const Class* const body = tree.find_class("Body");
-    const Class* const shape = tree.find_class("Shape");
-    if (body == nullptr || shape == nullptr || !of.is_a(*body)) return {};
-    std::vector<std::string> names = {name};
-    for (const std::string_view meant : property_synonyms(name)) names.emplace_back(meant);
-    for (const std::string& wanted : names)
-        for (const Class* each : tree.classes())
-            if (each->is_a(*shape) && each->creatable() && each->property(wanted) != nullptr)
-                return "; its shapes have it, as in " + each->name() + " { " + wanted + " = ... }";
-    return {};
-}
-
 /// "; a Label beside it shows a text: ...", for widgets without a text, or "".
 std::string hint_at_label(const property::Tree& tree, const Class& of, const std::string& name) {
     const Class* const widget = tree.find_class("Widget");
@@ -201,8 +187,9 @@ void refuse_unknown(lua_State* L, const Machine& machine, const Class& of,
                                                "event, got " +
                                                describe_type(L, 3));
     if (lua_isfunction(L, 3)) refuse_unknown_handler(of, name);
-    std::string hint = machine.hints.did_you_mean(of, name);
-    if (hint.empty()) hint = hint_at_shapes(machine.tree, of, name);
+    std::string hint = machine.hints.of_shapes(of, name, true);
+    if (hint.empty()) hint = machine.hints.did_you_mean(of, name);
+    if (hint.empty()) hint = machine.hints.of_shapes(of, name);
     if (hint.empty()) hint = hint_at_label(machine.tree, of, name);
     if (hint.empty())
         hint = classes_declaring(machine.tree, name) +

@@ -36,12 +36,25 @@ std::string text_at(lua_State* L, int index, const char* what) {
     return check_text(L, index, std::string(what) + ": needs a text");
 }
 
-std::vector<Handle> below(const property::Tree& tree, Handle top, const Class* of) {
+/// Parents before their children, as the top level of the game sees them.
+std::vector<Handle> below(const Machine& machine, Handle top, const Class* of) {
     std::vector<Handle> found;
-    tree.each_below(top, [&](Handle handle) {
-        if (handle == top) return;
-        if (!of || tree.class_of(handle).is_a(*of)) found.push_back(handle);
-    });
+    const auto add = [&](Handle handle) {
+        if (!of || machine.tree.class_of(handle).is_a(*of)) found.push_back(handle);
+    };
+    if (!machine.declarations.reloading()) {
+        machine.tree.each_below(top, [&](Handle handle) {
+            if (handle != top) add(handle);
+        });
+        return found;
+    }
+    const auto add_below = [&](const auto& self, Handle parent) -> void {
+        for (const Handle child : machine.declarations.children(parent)) {
+            add(child);
+            self(self, child);
+        }
+    };
+    add_below(add_below, top);
     return found;
 }
 
@@ -58,8 +71,10 @@ int has(lua_State* L) {
     const Handle self = check_instance(L, 1, "has");
     Machine& machine = machine_of(L);
     const std::string name = text_at(L, 2, "has");
-    lua_pushboolean(L, machine.tree.find(self, name) || child_of(machine, self, name) ||
-                           machine.declarations.seen(self, name) != nullptr);
+    const Declarations& declarations = machine.declarations;
+    lua_pushboolean(L,
+                    (machine.tree.find(self, name) != nullptr && !declarations.hides(self, name)) ||
+                        child_of(machine, self, name) || declarations.seen(self, name) != nullptr);
     return 1;
 }
 
@@ -144,7 +159,7 @@ int children(lua_State* L) {
     const Handle self = check_instance(L, 1, "children");
     Machine& machine = machine_of(L);
     const Class* of = class_at(L, machine.tree, 2, "children");
-    std::vector<Handle> found = machine.tree.children(self);
+    std::vector<Handle> found = machine.declarations.children(self);
     if (of) std::erase_if(found, [&](Handle h) { return !machine.tree.class_of(h).is_a(*of); });
     push_set(L, found);
     return 1;
@@ -153,7 +168,7 @@ int children(lua_State* L) {
 int all(lua_State* L) {
     const Handle self = check_instance(L, 1, "all");
     Machine& machine = machine_of(L);
-    push_set(L, below(machine.tree, self, class_at(L, machine.tree, 2, "all")));
+    push_set(L, below(machine, self, class_at(L, machine.tree, 2, "all")));
     return 1;
 }
 
@@ -164,7 +179,7 @@ int find_below(lua_State* L) {
     const bool filtered = !lua_isnil(L, 3);
     if (filtered) check_function(L, 3, "find");
     const std::vector<Handle> all_found =
-        below(machine.tree, self, class_at(L, machine.tree, 2, "find"));
+        below(machine, self, class_at(L, machine.tree, 2, "find"));
     std::vector<Handle> found;
     for (const Handle handle : all_found) {
         if (filtered) {
@@ -188,7 +203,7 @@ int each(lua_State* L) {
     const int function = lua_gettop(L);
     check_function(L, function, "each");
     const Class* of = function > 2 ? class_at(L, machine.tree, 2, "each") : nullptr;
-    for (const Handle handle : below(machine.tree, self, of)) {
+    for (const Handle handle : below(machine, self, of)) {
         if (!machine.tree.alive(handle)) continue;
         lua_pushvalue(L, function);
         push_instance(L, handle);

@@ -159,6 +159,21 @@ std::string Hints::path_of_member(std::string_view name) const {
     return path_of_first(path_in);
 }
 
+std::string Hints::of_shapes(const property::Class& of, const std::string& name, bool exact) const {
+    const property::Tree& tree = machine_.tree;
+    const property::Class* const body = tree.find_class("Body");
+    const property::Class* const shape = tree.find_class("Shape");
+    if (body == nullptr || shape == nullptr || !of.is_a(*body)) return {};
+    std::vector<std::string> names = {name};
+    if (!exact)
+        for (const std::string_view meant : property_synonyms(name)) names.emplace_back(meant);
+    for (const std::string& wanted : names)
+        for (const property::Class* each : tree.classes())
+            if (each->is_a(*shape) && each->creatable() && each->property(wanted) != nullptr)
+                return "; its shapes have it, as in " + each->name() + " { " + wanted + " = ... }";
+    return {};
+}
+
 void Hints::property_added(Handle instance, std::string_view name) {
     if (machine_.recording.active) return;  // the console shows the hint beside the change
     const Class& of = machine_.tree.class_of(instance);
@@ -174,9 +189,12 @@ void Hints::property_added(Handle instance, std::string_view name) {
         hint = hint_of(meant);
     else if (const std::string child = child_with(instance, name); !child.empty())
         hint = "; " + child;
+    else if (&of == native)  // a class of the game may keep here what it gives to its shapes
+        hint = of_shapes(of, std::string(name));
     // Some parts of the framework, such as `input.actions` and `view.uniforms`, take any property.
-    else if (native->creatable() || property::has_added_rules(machine_.tree, instance) ||
-             native->properties().size() == machine_.tree.object_class().properties().size())
+    if (hint.empty() &&
+        (native->creatable() || property::has_added_rules(machine_.tree, instance) ||
+         native->properties().size() == machine_.tree.object_class().properties().size()))
         return;
     report(of.name() + "." + std::string(name),
            position(machine_.lua.running) + native->name() + " has no property \"" +

@@ -30,6 +30,10 @@ class Hints {
     std::string of_added(property::Handle instance, std::string_view name) const;
     /// A hint at a child that has the property: "its Circle has radius", or "".
     std::string child_with(property::Handle instance, std::string_view name) const;
+    /// `; its shapes have it, as in Circle { radius = ... }` for a property that a body does not
+    /// have, or "" if no class of shapes has it. `exact`: not one that the name may mean.
+    std::string of_shapes(const property::Class& of, const std::string& name,
+                          bool exact = false) const;
     /// True while a command of the console runs whose first word is `word`: `gravity` in
     /// `gravity = 0`.
     bool begins_command(std::string_view word) const;

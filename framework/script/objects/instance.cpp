@@ -190,7 +190,8 @@ int read_slowly(lua_State* L, Machine& machine, const InstanceBox& self) {
         push_instance(L, child);
         return 1;
     }
-    if (const Property* added = machine.tree.find(instance, name))
+    if (const Property* added = machine.tree.find(instance, name);
+        added != nullptr && !machine.declarations.hides(instance, name))
         return read_property(L, machine, instance, *added);
     if (const Value* seen = machine.declarations.seen(instance, name)) {
         push_value(L, *seen);

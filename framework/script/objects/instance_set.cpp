@@ -122,6 +122,7 @@ int each_of(lua_State* L) {
 
 int delete_all(lua_State* L) {
     Machine& machine = machine_of(L);
+    if (!is_set(L, 1)) refuse_argument(L, 1, "delete", "a set");
     std::vector<Handle> handles;
     const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
     for (lua_Integer i = 1; i <= length; ++i) {

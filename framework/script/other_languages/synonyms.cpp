@@ -48,6 +48,7 @@ const std::vector<Synonym>& properties() {
          {"lower_angle = -1, upper_angle = 1", "lower_translation = -1, upper_translation = 1"}},
         {"springstiffness stiffness frequency frequencyhz", {"hertz", "frequency"}},
         {"freq hz tone note", {"frequency", "pitch"}},
+        {"hertz", {"frequency"}},
         {"pitch", {"frequency"}},
         {"waveform oscillator type", {"wave"}},
         {"fixedrotation freezerotation lockrotation", {"locked_rotation"}},

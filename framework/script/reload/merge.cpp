@@ -23,6 +23,11 @@ bool is_place(const std::string& name) {
     return name == "name" || name == "parent";
 }
 
+/// A property whose default became 1.0 in place of 1 has numbers in place of integers.
+bool is_same(const Value& a, const Value& b) {
+    return a == b || (a.is_numeric() && b.is_numeric() && a.as_double() == b.as_double());
+}
+
 bool is_below_any(const std::string& path, const std::unordered_set<std::string>& paths) {
     for (std::size_t end = path.find_first_of(".["); end != std::string::npos;
          end = path.find_first_of(".[", end + 1))
@@ -221,6 +226,7 @@ void Merge::apply_one(Handle to, const std::string& name, const Assignment* now,
     std::function<std::string()> locate = [&place] { return place; };
     const property::Tree::CauseScope cause(tree_, property::Writer::script, &locate);
     set(to, name, now, before);
+    changed_ = true;
     property = tree_.find(to, name);
     if (machine_.options.tweaks == nullptr || property == nullptr || same_text) return;
     const std::string edit = machine_.options.tweaks->given_again(to, *property);
@@ -233,7 +239,7 @@ void Merge::apply_one(Handle to, const std::string& name, const Assignment* now,
 bool Merge::is_declared_before(Handle to, const Property* property, const Assignment& now,
                                const Assignment* before) const {
     if (before == nullptr || before->formula.has_value() != now.formula.has_value()) return false;
-    if (!now.formula) return before->value == translated(now.value);
+    if (!now.formula) return is_same(before->value, translated(now.value));
     // The same text as before may use other variables of the script.
     const property::Formula* const formula =
         property == nullptr ? nullptr : tree_.formula(to, *property);
@@ -290,6 +296,7 @@ void Merge::apply_defaults(const std::vector<ScriptClasses::NewDefault>& default
             const auto* const wanted = property;
             attempt(each, property->name,
                     [&, this] { tree_.set(each, *wanted, wanted->default_value); });
+            changed_ = true;
         }
 }
 
@@ -310,14 +317,17 @@ void Merge::delete_undeclared() {
             drop_edits_below(tree_.alive(before->instance) ? tree_.path(before->instance)
                                                            : before->path);
     for (const Declared* const before : gone)
-        if (tree_.alive(before->instance))
+        if (tree_.alive(before->instance)) {
+            changed_ = true;
             attempt(before->instance, "", [&] { tree_.destroy(before->instance); });
+        }
 }
 
 void Merge::place_new() {
     for (const Waiting& each : waiting_) {
         const Handle parent = result_of(each.parent);
         if (!tree_.alive(each.instance) || !tree_.alive(parent)) continue;
+        changed_ = true;
         attempt(each.instance, each.name, [&] {
             const Handle other = tree_.child(parent, each.name);
             if (other && other != each.instance && !tree_.parent(each.instance))

@@ -35,6 +35,8 @@ class Merge {
     /// Variables of scripts refer to the instances of the game from now on. Deletes the detached
     /// ones, and keeps the declarations for the next time.
     void finish();
+    /// Whether a value or an instance of the game was changed.
+    bool has_changed() const { return changed_; }
 
   private:
     struct Waiting {
@@ -87,6 +89,7 @@ class Merge {
     std::vector<std::pair<property::Handle, property::Handle>> pairs_;  // made, living or deleted
     std::unordered_set<std::uint64_t> matched_;                         // living ones that stay
     std::vector<Waiting> waiting_;
+    bool changed_ = false;
     /// Parents of the game, and the children that the top level gives them, in its order.
     std::vector<std::pair<property::Handle, std::vector<property::Handle>>> orders_;
 };

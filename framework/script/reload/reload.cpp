@@ -8,6 +8,7 @@
 #include <classes/script_classes.h>
 #include <handlers/function_source.h>
 #include <lua/environment.h>
+#include <lua/host.h>
 #include <lua/interpreter.h>
 #include <lua/machine.h>
 #include <lua/stack.h>
@@ -225,10 +226,22 @@ void TopLevel::take(Noted made, Reloaded& result) {
     }
     replace_timers(made.timers);
     merge.finish();
+    if (merge.has_changed()) reloaded_at_ = machine_.tree.step();
     machine_.classes.end_reload(true);
-    for (std::string& note : machine_.classes.lost_states())
-        result.notes.push_back(std::move(note));
+    for (auto& lost : {machine_.classes.lost_states(), machine_.classes.lost_classes()})
+        result.notes.insert(result.notes.end(), lost.begin(), lost.end());
     noted_ = std::move(made);
+}
+
+void TopLevel::note_return(std::uint64_t step) {
+    if (!reloaded_at_ || step >= *reloaded_at_) return;
+    const std::string from = std::to_string(step), reload = std::to_string(*reloaded_at_);
+    reloaded_at_.reset();
+    // A copy, because the call may replace it.
+    if (const auto sink = machine_.host.on_note)
+        sink("the game goes on from step " + from + " with the values that it had there: those " +
+             "that its files have changed in step " + reload + " are the old ones; restart() " +
+             "begins with the new ones");
 }
 
 /// A timer that the old code started in the same way is due when that one would be.

@@ -26,6 +26,9 @@ class TopLevel {
     /// Runs the top level of a game that goes on. After an error, everything is as it was, and the
     /// result contains the error.
     Reloaded reload(const std::function<bool()>& run);
+    /// To be called when the step after `step` begins. Gives a note, once for each reload, if the
+    /// game has gone back to a step before a reload that has changed its values.
+    void note_return(std::uint64_t step);
 
   private:
     struct Kept;
@@ -46,6 +49,7 @@ class TopLevel {
     Random::State random_{};          // when the top level of this game began
     std::vector<std::string> names_;  // globals that the top level assigned
     Noted noted_;
+    std::optional<std::uint64_t> reloaded_at_;  // none: no reload, or the note was given
 };
 
 }  // namespace fettle::script

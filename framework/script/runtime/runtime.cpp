@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -228,8 +229,7 @@ Reloaded Runtime::reload(const std::vector<std::string>& files) {
     });
     if (!result.done) return result;
     property::List names(files.begin(), files.end());
-    const Value arguments[] = {Value(std::move(names))};
-    call_ready(machine, "reloaded", arguments);
+    call_ready(machine, "reloaded", std::array{Value(std::move(names))});
     machine.hints.game_loaded();
     return result;
 }
@@ -363,13 +363,13 @@ bool Runtime::step(double now, double dt) {
     require_seconds("Runtime::step: now", now);
     require_seconds("Runtime::step: dt", dt);
     const RuntimeLifetime::Use use(machine.life);
+    state_->top_level.note_return(machine.tree.step());
     machine.timers.now = now;
     collect_unplaced(machine);
     bool ok = machine.classes.deliver_ready();
     ok &= machine.tweens.run(dt);
     ok &= machine.timers.run();
-    const Value arguments[] = {Value(dt)};
-    ok &= call_global(machine, "step", arguments);
+    ok &= call_global(machine, "step", std::array{Value(dt)});
     ok &= machine.classes.deliver_ready();  // of what timers and step() have made: before its step
     ok &= machine.classes.step(dt);
     ok &= machine.classes.step_states(dt);

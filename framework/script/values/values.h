@@ -31,6 +31,7 @@ struct Boxes {
     static constexpr int most_checked_writes = 4096;
 };
 
+/// The first member of every userdata; what has no tag could be taken for another type.
 enum class Tag : std::uint32_t {
     instance = 0x46544c01,
     vec,
@@ -42,7 +43,8 @@ enum class Tag : std::uint32_t {
     formula,
     snapshot,
     description,
-    store
+    store,
+    unfinished_class  // the result of class("Name")
 };
 
 /// The place from which a value was read: a property, or an element of a list in it. Assigning a

@@ -192,6 +192,31 @@ const Value* Declarations::seen(Handle instance, std::string_view name) const {
     return last != nullptr && !last->added ? &last->before : nullptr;
 }
 
+bool Declarations::hides(Handle instance) const {
+    if (!reloading()) return false;
+    const auto last = last_index_.find(instance.key());
+    return last != last_index_.end() && last_[last->second].made;
+}
+
+bool Declarations::hides(Handle instance, std::string_view name) const {
+    if (!defers(instance)) return false;
+    const Declared* now = find(instance);
+    if (now != nullptr && now->assignments.contains(std::string(name))) return false;
+    const Assignment* last = last_assignment(instance, name);
+    return last != nullptr && last->added;
+}
+
+std::vector<Handle> Declarations::children(Handle parent) const {
+    std::vector<Handle> all = tree_.children(parent);
+    if (!reloading()) return all;
+    std::erase_if(all, [this](Handle each) { return hides(each); });
+    for (const Handle each : placed_)
+        if (const auto place = places_.find(each.key());
+            place != places_.end() && place->second.parent == parent && tree_.alive(each))
+            all.push_back(each);
+    return all;
+}
+
 std::optional<property::Place> Declarations::find_future(const std::string& path) const {
     for (const Declared& each : all_) {
         if (!tree_.alive(each.instance)) continue;

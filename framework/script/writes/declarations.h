@@ -89,6 +89,12 @@ class Declarations {
     void defer(property::Handle instance, std::string_view name, property::Formula formula);
     /// The value as the top level sees it: nullptr if the tree has it.
     const property::Value* seen(property::Handle instance, std::string_view name) const;
+    /// Whether the top level does not see an instance, or a property that was added to one, because
+    /// the old code made it. So `if not world:has("ball")` goes the way that it went at first.
+    bool hides(property::Handle instance) const;
+    bool hides(property::Handle instance, std::string_view name) const;
+    /// The children of an instance as the top level sees them.
+    std::vector<property::Handle> children(property::Handle parent) const;
     /// Gives a detached instance a place. An empty name: the next free one of its class.
     void place(property::Handle instance, property::Handle parent, std::string_view name);
     /// Makes an instance that stands for one of the framework which the game has deleted, and gives

@@ -216,9 +216,11 @@ void set_or_add(Machine& machine, Handle instance, std::string_view name, const 
 }
 
 Handle child_of(Machine& machine, Handle instance, std::string_view name) {
-    if (machine.declarations.reloading())
-        if (const Handle waiting = machine.declarations.child(instance, name)) return waiting;
-    return machine.tree.child(instance, name);
+    const Declarations& declarations = machine.declarations;
+    if (declarations.reloading())
+        if (const Handle waiting = declarations.child(instance, name)) return waiting;
+    const Handle child = machine.tree.child(instance, name);
+    return declarations.hides(child) ? Handle{} : child;
 }
 
 void clear_property(Machine& machine, Handle instance, const Property& property) {

@@ -14,6 +14,7 @@
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
 #define STBI_NO_STDIO
+#define STBI_FAILURE_USERMSG  // sentences as reasons
 #define STBI_MAX_DIMENSIONS 16384
 #include <stb/stb_image.h>
 
@@ -51,10 +52,12 @@ void spread_colors(Pixels& image) {
 std::string why_unreadable(std::string_view file) {
     if (file.empty()) return "the file is empty";
     const std::string reason = stbi_failure_reason();
-    // For a part of a PNG file whose name it does not know, the reason begins with the four bytes
-    // of that name, which may be anything.
-    const bool has_unknown_part = reason.ends_with(" PNG chunk not known") || reason.size() <= 4;
-    return has_unknown_part ? "it is cut off or damaged" : reason;
+    if (reason.starts_with("Image not of any known type")) return "it is in none of these formats";
+    if (reason.find("too large") != std::string::npos) return "it is too large";
+    // It also calls a format unsupported if a damaged PNG has a chunk that it does not know.
+    const bool unsupported = reason.find("not supported") != std::string::npos &&
+                             reason.find("chunk") == std::string::npos;
+    return unsupported ? reason : "it is cut off or damaged";
 }
 
 }  // namespace

@@ -118,7 +118,13 @@ void Sprites::advance(Row& row, double dt) {
     if (shown->frames.empty() && read.number(of_.frames_per_second) <= 0) return;
     const Playing plays = playing(row, *shown, read);
     if (plays.count < 2 || !read.flag(of_.playing)) return;
-    double length = seconds_of(row, *shown, plays, read);
+    // A file may give any length; the loop must end.
+    constexpr double least_length = 1e-4;  // s
+    const auto length_now = [&] {
+        const double seconds = seconds_of(row, *shown, plays, read);
+        return seconds > 0 ? std::max(seconds, least_length) : 0;
+    };
+    double length = length_now();
     if (length <= 0) return;
     const bool loop = read.flag(of_.loop);
     // At its end, an animation without `loop` stays for the whole time of its last frame.
@@ -133,7 +139,7 @@ void Sprites::advance(Row& row, double dt) {
         }
         row.elapsed = std::max(0.0, row.elapsed - length);
         row.frame = (row.frame + 1) % plays.count;
-        length = seconds_of(row, *shown, plays, read);
+        length = length_now();
     }
 }
 

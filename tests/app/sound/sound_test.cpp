@@ -339,6 +339,16 @@ TEST_CASE("compressed files are decoded") {
     }
 }
 
+TEST_CASE("a file that was cut off is refused") {
+    const auto is_refused = [](const std::string& whole, double part) {
+        const auto size = static_cast<std::size_t>(part * static_cast<double>(whole.size()));
+        CHECK_THROWS_WITH(SoundFile(whole.substr(0, size)), contains("too short for that"));
+    };
+    is_refused(tone_file(440, 0.05), 0.3);
+    for (const double part : {0.3, 0.6, 0.95})
+        is_refused(bytes_of("tests/app/sound/tone.flac"), part);
+}
+
 TEST_CASE("damaged files are refused or played and never do harm") {
     std::mt19937 random(7);
     const std::vector<std::string> whole = {tone_file(440, 0.05),

@@ -106,6 +106,20 @@ test("hold", function(t) t:press("space"); t:hold("space", 2) end)
     CHECK(contains(run.out, "4 tests, 3 failed"));
 }
 
+TEST_CASE("a body that gets a property of its shapes is noted") {
+    const Folder folder;
+    const Outcome run = run_script(folder,
+                                   "world.b = Body {} world.b.friction = 2 world.b.width = 3 "
+                                   "Wide = class('Wide', Body) {} world.w = Wide {} "
+                                   "world.w.height = 3",
+                                   1);
+    INFO(run.err);
+    CHECK(run.status == 0);
+    CHECK(contains(run.err, "its shapes have it, as in Circle { friction = ... }"));
+    CHECK(contains(run.err, "its shapes have it, as in Box { width = ... }"));
+    CHECK_FALSE(contains(run.err, "height"));
+}
+
 TEST_CASE("an error says what beginners probably meant") {
     const Folder folder;
     const std::string ball = "Ball = class('Ball', Body) { lives = 3 } ";
@@ -140,6 +154,8 @@ TEST_CASE("an error says what beginners probably meant") {
         {"world:explode(vec(0, 0))", "got 1 (point, radius, impulse, mask?, accept?)"},
         {"camera.x = 5", "(write view)"},
         {"Body { collision_layer = 2 }", "its shapes have it, as in Circle { category = ... }"},
+        {"Body { mask = 2 }", "its shapes have it, as in Circle { mask = ... }"},
+        {"MouseJoint { hertz = 2 }", "did you mean frequency?"},
         {"Circle { mass = 2 }", "did you mean density?"},
         {"Sprite { anchor = vec(0, 0) }", "did you mean origin?"},
         {"Slider { range = { 0, 1 } }", "did you mean max?"},

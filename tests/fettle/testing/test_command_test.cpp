@@ -151,7 +151,7 @@ test("fine", function(t) t:steps(1) end)
     CHECK(contains(run.out, "        a word\n"));
     CHECK(contains(run.out, "ok    tests/ball.lua: fine\n2 tests, 1 failed\n"));
     const std::string recording = (folder / ".fettle/tests/ball-too-high.recording").string();
-    CHECK(contains(run.out, "fettle run --replay " + recording));
+    CHECK(contains(run.out, "fettle run --replay '" + recording + "'"));
     CHECK_FALSE(std::filesystem::exists(folder / ".fettle/tests/ball-fine.recording"));
     const Outcome replay = fettle(folder, {"run", "--replay", recording, "--headless"});
     INFO(replay.out << replay.err);
@@ -441,8 +441,8 @@ TEST_CASE("tests with similar names have recordings of their own") {
     CHECK(run.status == 1);
     const std::size_t at = run.out.find("--replay ");
     REQUIRE(at != std::string::npos);
-    const std::size_t end = run.out.find('\n', at);
-    CHECK(std::filesystem::exists(run.out.substr(at + 9, end - at - 9)));
+    const std::size_t begin = at + 10, end = run.out.find("'\n", at);  // quoted: it has a space
+    CHECK(std::filesystem::exists(run.out.substr(begin, end - begin)));
 }
 
 }  // namespace test_command_test

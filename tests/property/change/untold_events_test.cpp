@@ -99,6 +99,45 @@ TEST_CASE_METHOD(Meeting, "the end of a touch whose beginning had no handler is 
     CHECK(log == Log{"first meeting_end"});
 }
 
+TEST_CASE_METHOD(Meeting, "only the handlers that got a beginning get the end") {
+    int counts[2] = {0, 0};
+    const bool together = GENERATE(true, false);
+    for (int& count : counts) {
+        tree.on(*type, event("meeting_begin"),
+                [&, deletes = &count == counts](const Occurrence& o) {
+                    ++count;
+                    if (deletes) tree.destroy(o.record.values[0].reference());
+                });
+        if (together)
+            tree.on(*type, event("meeting_end"), [&count](const Occurrence&) { --count; });
+    }
+    if (!together)
+        for (int& count : counts)
+            tree.on(*type, event("meeting_end"), [&count](const Occurrence&) { --count; });
+    emit(first, "meeting_begin", brick);
+    tree.barrier();
+    CHECK(counts[0] == 1);
+    CHECK(counts[1] == 0);
+    emit(first, "meeting_end", brick);
+    tree.barrier();
+    CHECK(counts[0] == 0);
+    CHECK(counts[1] == 0);
+}
+
+TEST_CASE_METHOD(Meeting, "one handler of the end is for several of the beginning") {
+    int count = 0;
+    tree.on(*type, event("meeting_begin"), [&](const Occurrence&) { ++count; });
+    tree.on(*type, event("meeting_begin"),
+            [&](const Occurrence& o) { tree.destroy(o.record.values[0].reference()); });
+    tree.on(*type, event("meeting_begin"), [](const Occurrence&) {});
+    tree.on(*type, event("meeting_end"), [&](const Occurrence&) { --count; });
+    emit(first, "meeting_begin", brick);
+    tree.barrier();
+    emit(first, "meeting_end", brick);
+    tree.barrier();
+    CHECK(count == 0);
+}
+
 TEST_CASE_METHOD(Meeting, "events of an instance that a handler has deleted are not delivered") {
     tree.on(*type, event("hit"), [this](const Occurrence& o) {
         log.push_back(tree.name(o.instance));

@@ -2,6 +2,7 @@
 
 #include "catch.h"
 
+#include <fettle/property/snapshot.h>
 #include <fettle/property/tree.h>
 
 namespace weight_test {
@@ -67,6 +68,108 @@ TEST_CASE("the weight of texts and lists is counted as long as their instance ex
     }
     // What is left is the name, which the tree does not forget.
     CHECK(tree.weight() - empty < 1000);
+}
+
+TEST_CASE("a message has weight until it is delivered or dropped") {
+    Tree tree;
+    ClassDescriptor d = described("Thing", "Object", 0);
+    d.properties.push_back({.name = "size", .type = Type::number});
+    d.events = {{.name = "hit", .fields = {}}};
+    const Class& of = tree.define(std::move(d));
+    const Handle thing = tree.create(of, tree.root(), "thing");
+    int delivered = 0;
+    tree.watch(thing, "size", [&](const Change&) { ++delivered; });
+    tree.on(thing, *of.event("hit"), [&](const Occurrence&) { ++delivered; });
+    tree.barrier();
+    const std::int64_t before = tree.weight();
+    for (int i = 1; i <= 1000; ++i) {
+        tree.set(thing, "size", double(i));
+        tree.emit(thing, *of.event("hit"), {});
+        CHECK(tree.weight() > before);
+        tree.barrier();
+    }
+    CHECK(delivered == 2000);
+    CHECK(tree.weight() == before);
+
+    const Snapshot snapshot = tree.snapshot();
+    tree.set(thing, "size", 5);
+    tree.emit(thing, *of.event("hit"), {});
+    tree.restore(snapshot);
+    tree.barrier();
+    CHECK(tree.weight() == before);
+
+    tree.on_handler_error([](const HandlerError&) {});
+    tree.watch(thing, "size",
+               [&](const Change& c) { tree.set(thing, "size", c.new_value.number() + 1); });
+    const std::int64_t endless = tree.weight();
+    tree.set(thing, "size", -1);
+    tree.barrier();  // stopped after some rounds
+    CHECK(tree.weight() == endless);
+}
+
+TEST_CASE("a name counts once, however often instances have it") {
+    Tree tree;
+    const Class& of = tree.define(described("Thing", "Object", 0));
+    const auto once = [&] {
+        tree.destroy(tree.create(of, tree.root(), "a name of its own"));
+        tree.barrier();
+    };
+    const std::int64_t before = tree.weight();
+    once();
+    const std::int64_t after = tree.weight();
+    CHECK(after > before);
+    for (int i = 0; i < 100; ++i) once();
+    CHECK(tree.weight() == after);
+}
+
+TEST_CASE("a restored tree has the weight that it had") {
+    Tree tree;
+    ClassDescriptor d = described("Line", "Object", 300);
+    d.properties.push_back({.name = "label", .type = Type::text});
+    d.properties.push_back({.name = "size", .type = Type::number});
+    const Class& of = tree.define(std::move(d));
+    const auto fill = [&] {
+        for (int i = 0; i < 20; ++i) {
+            const Handle line = tree.create(of, tree.root(), {});
+            tree.set(line, "label", std::string(100, 'x'));
+            tree.set_or_add(line, "own", Value(List(7, Value(1.0))));
+            tree.set_formula(line, "size", {.function = [](const Tree&) { return Value(2.0); }});
+        }
+    };
+    const auto clear = [&] {
+        for (const Handle each : tree.children(tree.root()))
+            if (&tree.class_of(each) == &of) tree.destroy(each);
+    };
+    fill();
+    tree.barrier();
+    const std::int64_t full = tree.weight();
+    const Snapshot snapshot = tree.snapshot();
+    const Snapshot from_bytes = Snapshot::from_bytes(snapshot.to_bytes());
+    clear();
+    tree.barrier();
+    const std::int64_t empty = tree.weight();
+    CHECK(full - empty > 20 * (300 + 100));
+    for (int times = 0; times < 5; ++times) {
+        tree.restore(snapshot);
+        tree.barrier();
+        CHECK(tree.weight() == full);
+        if (times % 2 == 0) fill();
+        if (times == 3) clear();
+    }
+    tree.restore(snapshot);
+    clear();
+    tree.barrier();
+    CHECK(tree.weight() == empty);
+
+    // Functions are not in the bytes, but the texts are.
+    tree.restore(from_bytes);
+    tree.barrier();
+    CHECK(tree.weight() > empty + 20 * (300 + 100));
+    CHECK(tree.weight() <= full);
+    clear();
+    tree.barrier();
+    CHECK(tree.weight() >= empty);
+    CHECK(tree.weight() < empty + 200);  // with the texts that the tree itself has
 }
 
 }  // namespace weight_test

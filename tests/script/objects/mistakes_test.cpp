@@ -351,4 +351,17 @@ TEST_CASE("the error for code that is nested too deeply has its place") {
                starts_with("a.lua:") && contains("C stack overflow"));
 }
 
+TEST_CASE("a method of a set that is called with a dot is an error") {
+    Stage s;
+    s.run("world.a = Object {} all = world:children()");
+    for (const char* method : {"delete", "each", "set", "add"})
+        for (const char* self : {"world", "'a long text'", "1", "nil", "{ 1, 2 }", "vec(1, 2)",
+                                 "print", "coroutine.create(print)"}) {
+            const std::string call = std::string("all.") + method + "(" + self + ", 'x', 3)";
+            INFO(call);
+            CHECK_THAT(s.fails(call), contains(std::string(method) + ": needs a set"));
+        }
+    CHECK_THAT(s.fails("all.delete()"), contains("needs a set"));
+}
+
 }  // namespace mistakes_test

@@ -1,48 +1,13 @@
 // The files of a game change while it runs: numbers, instances, classes, handlers, errors.
 
-#include <fstream>
-
-#include "stage.h"
-#include "temporary_folder.h"
+#include "reloaded_game.h"
 
 namespace reload_test {
 
+using reloaded_game::Game;
 using stage::Stage;
 using stage::Value;
 using stage::Vec2;
-
-namespace {
-
-/// A game whose main.lua changes.
-struct Game : Stage {
-    TemporaryFolder folder;
-
-    explicit Game(const std::string& text) {
-        write("main.lua", text);
-        REQUIRE(runtime->load(folder.path));
-        CHECK(errors.empty());
-    }
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder.path / name) << text;
-    }
-    /// Loads another main.lua; returns the error, or "".
-    std::string change(const std::string& text) {
-        write("main.lua", text);
-        return again();
-    }
-    std::string again() {
-        errors.clear();
-        const fettle::script::Reloaded result = runtime->reload({"main.lua"});
-        CHECK(result.done == !result.error.has_value());
-        for (const std::string& note : result.notes) UNSCOPED_INFO(note);
-        CHECK(result.notes.empty());
-        CHECK(errors.empty());
-        return result.error ? result.error->message : "";
-    }
-    double number(const std::string& path) const { return get(path).as_double(); }
-};
-
-}  // namespace
 
 TEST_CASE("a number that changed in the file changes the living instance and nothing else") {
     Game game("world.ball = Body { mass = 2, number = 5 }");

@@ -190,8 +190,9 @@ Value default_value(Type type);
 /// 0.100000001490116.
 enum class Precision : std::uint8_t { single_precision, double_precision };
 
-/// `single_precision` if the number is exactly a float, so that a value stored as float is printed
-/// as 0.1 and not as 0.10000000149011612.
+/// `single_precision` if the number is exactly a float and has many digits as a double, so that a
+/// value stored as float is printed as 0.1 and not as 0.10000000149011612. Other numbers keep all
+/// digits. Of a vector, both coordinates count.
 Precision shortest_precision(double number);
 Precision shortest_precision(const Vec2& vec);
 

@@ -5,8 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 #include <utility>
+
+#include <fettle/property/storage/scene.h>
 
 namespace fettle::property {
 
@@ -52,6 +56,20 @@ bool try_lock(const Descriptor& descriptor) {
     do result = ::flock(descriptor.number(), LOCK_EX | LOCK_NB);
     while (result != 0 && errno == EINTR);
     return result == 0;
+}
+
+Descriptor lock_folder(const std::filesystem::path& folder) {
+    constexpr std::chrono::seconds timeout{5};
+    Descriptor locked = open_file(folder, O_RDONLY | O_DIRECTORY);
+    const auto deadline = std::chrono::steady_clock::now() + timeout;
+    while (locked && !try_lock(locked)) {
+        if (errno != EWOULDBLOCK) break;  // the file system has no locks
+        if (std::chrono::steady_clock::now() > deadline)
+            throw FileError(
+                folder, "another program holds the lock on this folder, so nothing was written");
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return locked;
 }
 
 }  // namespace fettle::property

@@ -39,4 +39,9 @@ Descriptor open_file(const std::filesystem::path& path, int flags, mode_t mode =
 /// locked.
 bool try_lock(const Descriptor& descriptor);
 
+/// Locks a folder itself, so no lock file is necessary. The lock ends with the result, or with the
+/// process. Waits some seconds for another process that has locked it; then throws FileError. The
+/// result locks nothing if the folder cannot be opened, or its file system has no locks.
+Descriptor lock_folder(const std::filesystem::path& folder);
+
 }  // namespace fettle::property

@@ -2,14 +2,9 @@
 
 #include <fettle/property/storage/game_files.h>
 
-#include <fcntl.h>
-
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <chrono>
 #include <span>
-#include <thread>
 #include <utility>
 
 #include <fettle/property/bytes.h>
@@ -202,18 +197,7 @@ void GameFiles::write_scene(const Path& file, std::string_view text) {
 
 std::shared_ptr<void> GameFiles::lock() {
     if (in_memory_ || game_.empty()) return nullptr;
-    // The folder itself is locked, so no lock file is necessary. The lock ends with the returned
-    // object, or with the process.
-    auto folder = std::make_shared<Descriptor>(open_file(game_, O_RDONLY | O_DIRECTORY));
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-    while (*folder && !try_lock(*folder)) {
-        if (errno != EWOULDBLOCK) break;  // the file system has no locks
-        if (std::chrono::steady_clock::now() > deadline)
-            throw FileError(
-                game_, "another program holds the lock on this folder, so nothing was written");
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return folder;
+    return std::make_shared<Descriptor>(lock_folder(game_));
 }
 
 // --- Reports -------------------------------------------------------------------------------------

@@ -17,12 +17,15 @@ namespace fettle::property {
 
 namespace {
 
-std::uintmax_t used_space(const std::filesystem::path& folder) {
+/// Bytes of all files in the folder but `replaced`.
+std::uintmax_t used_space(const std::filesystem::path& folder,
+                          const std::filesystem::path& replaced) {
     std::uintmax_t sum = 0;
     std::error_code error;
     for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
          it.increment(error))
-        if (const std::uintmax_t size = it->file_size(error); !error) sum += size;
+        if (it->path() != replaced)
+            if (const std::uintmax_t size = it->file_size(error); !error) sum += size;
     return sum;
 }
 
@@ -100,7 +103,8 @@ void GameSaves::finish(const Thumbnail& picture) {
     for (const Waiting& each : std::exchange(waiting_, {})) {
         try {
             if (options_.space > 0 &&
-                used_space(saves_.folder()) + each.state->size() > options_.space)
+                used_space(saves_.folder(), saves_.file(each.slot)) + each.state->size() >
+                    options_.space)
                 throw Error(ErrorKind::rejected,
                             "this game has used the space on the disk that it may use");
             saves_.save(each.slot, each.step, *each.state, picture);

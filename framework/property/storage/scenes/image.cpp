@@ -1,6 +1,7 @@
 #include <scenes/image.h>
 
 #include <fettle/property/path.h>
+#include <fettle/property/utf8.h>
 
 #include <json/document.h>
 #include <scenes/scene_names.h>
@@ -38,7 +39,8 @@ std::string value_json(const Tree& tree, const Property& property, const Value& 
 std::string shown(const Tree& tree, const Property& property, const Value& value) {
     constexpr std::size_t longest = 60;
     std::string text = tree.text(value, property.precision());
-    if (text.size() > longest) text = text.substr(0, longest - 3) + "...";
+    if (text.size() > longest)
+        text = text.substr(0, code_point_boundary(text, longest - 3)) + "...";
     if (value.is(Type::text) && text.back() != '"') text += '"';
     return text;
 }

@@ -1,10 +1,7 @@
 #include <fettle/property/storage/store.h>
 
-#include <fcntl.h>
-
-#include <cerrno>
+#include <chrono>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include <fettle/property/error.h>
@@ -23,26 +20,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t largest_store = 4 * Store::size_limit;  // bytes of the file
+// Bytes of the file. A control character is written as six characters, and a vector in six lines
+// that begin with a tab for each table around it.
+constexpr std::size_t largest_store = 16 * Store::size_limit;
 constexpr std::chrono::milliseconds store_delay{500};
-constexpr std::chrono::seconds lock_timeout{5};  // for another process
 
 bool is_utf8(const std::string& text) {
     std::string quoted;
     return append_quoted(quoted, text);
-}
-
-/// The lock of a folder, which ends with the result. Another process may hold it for a moment.
-Descriptor lock_folder(const fs::path& folder) {
-    Descriptor locked = open_file(folder, O_RDONLY | O_DIRECTORY);
-    const auto deadline = std::chrono::steady_clock::now() + lock_timeout;
-    while (locked && !try_lock(locked)) {
-        if (errno != EWOULDBLOCK) break;  // the file system has no locks
-        if (std::chrono::steady_clock::now() > deadline)
-            throw FileError(folder, "another program holds the lock on this folder");
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return locked;
 }
 
 /// Gives a damaged file another name, so that nothing of it is lost.
@@ -69,9 +54,10 @@ struct Store::Changes {
     /// Applies them to the file as it is now. Another process may have written other keys since.
     void write(const fs::path& file) const {
         std::error_code error;
-        fs::create_directories(file.parent_path(), error);
-        if (error) throw FileError(file.parent_path(), "cannot be made: " + error.message());
-        const Descriptor locked = lock_folder(file.parent_path());
+        const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+        fs::create_directories(folder, error);
+        if (error) throw FileError(folder, "cannot be made: " + error.message());
+        const Descriptor locked = lock_folder(folder);
         Content content;
         if (fs::exists(file, error)) try {
                 content = store_content(read_file(file, largest_store));
@@ -87,7 +73,12 @@ struct Store::Changes {
             else
                 content.entries.erase(key);
         }
-        replace_file(file, store_text(content));
+        const std::string text = store_text(content);
+        // A store that cannot be read must not replace one that can.
+        if (text.size() > largest_store)
+            throw FileError(file,
+                            "would be larger than " + std::to_string(largest_store >> 20) + " MiB");
+        replace_file(file, text);
     }
 };
 
@@ -182,6 +173,8 @@ std::size_t Store::size_of(const Key& key, const Value& value) {
     std::size_t size = 32;
     if (const auto* const name = std::get_if<std::string>(&key)) size += name->size();
     if (value.is(Type::text)) size += value.text().size();
+    if (value.is(Type::vec2)) size += 32;
+    if (value.is(Type::color)) size += 96;
     return size;
 }
 

@@ -79,9 +79,10 @@ class Saves {
     void remove(const std::string& slot) const;
 
     const std::filesystem::path& folder() const { return folder_; }
+    /// Path of the file of a slot, also if there is none. Throws Error(bad_name).
+    std::filesystem::path file(const std::string& slot) const;
 
   private:
-    std::filesystem::path file(const std::string& slot) const;
     std::filesystem::path existing(const std::string& slot) const;
     SavedGame read(const std::filesystem::path& file) const;
     void read(Database& database, SavedGame& into) const;
