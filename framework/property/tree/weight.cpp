@@ -60,8 +60,10 @@ TreeWeight::Content Tree::State::read_content() const {
         const Node& node = instances.nodes[i];
         if (!node.alive()) continue;
         std::int64_t sum = 0;
-        for (const Property* property : of_class[node.class_id])
-            sum += weight_beside(instances.read(i, node, *property), *property);
+        for (const Property* property : of_class[node.class_id]) try {
+                sum += weight_beside(instances.read(i, node, *property), *property);
+            } catch (...) {  // a module that cannot give a value has nothing in it
+            }
         if (sum != 0) all.emplace_back(i, sum);
     }
     return all;
