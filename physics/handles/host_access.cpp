@@ -127,7 +127,9 @@ FETTLE_WRITE(linear_damping, linear_damping)
 FETTLE_WRITE(angular_damping, angular_damping)
 
 void HostAccess::set_serial_callbacks(World& world, bool serial) {
-    world.data_->self.serial_callbacks = serial;
+    WorldData& data = *world.data_;
+    data.self.may_edit("HostAccess", __func__);
+    data.self.serial_callbacks = serial;
 }
 
 void HostAccess::on_refresh(World& world, RefreshCallback callback) {

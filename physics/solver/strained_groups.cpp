@@ -33,17 +33,13 @@ class StrainedGroups {
 
     /// Limits the energy of the group of bodies to which a body belongs.
     void limit(uint32_t body) {
-        if (seen_[objects_.bodies[body].solver_index] != 0) return;
-        find(body);
-        if (!driven_) limit_found(1.0f, 0.0f);
+        if (finds_new(body)) limit_found(1.0f, 0.0f);
     }
     /// The same for a body that has become much faster, if contacts act in its group. A host that
     /// moves an anchor or winds up a rope gives energy, so the group may gain some in a step.
     void limit_gain(uint32_t body) {
         constexpr float most_gain = 1.1f, least = 0.5f;  // a factor of the energy; m/s
-        if (seen_[objects_.bodies[body].solver_index] != 0) return;
-        find(body);
-        if (!driven_ && touches_) limit_found(most_gain, 0.5f * least * least);
+        if (finds_new(body) && touches_) limit_found(most_gain, 0.5f * least * least);
     }
 
   private:
@@ -55,6 +51,12 @@ class StrainedGroups {
         double momentum_x = 0.0, momentum_y = 0.0;
     };
 
+    /// Finds the group of a body. False if it is known already, or something gives energy to it.
+    bool finds_new(uint32_t body) {
+        if (seen_[objects_.bodies[body].solver_index] != 0) return false;
+        find(body);
+        return !driven_;
+    }
     void find(uint32_t body) {
         group_.clear();
         driven_ = held_ = touches_ = false;

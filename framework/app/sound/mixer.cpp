@@ -79,8 +79,7 @@ Mixer::Playing Mixer::begun(AudibleVoice state) {
     // A voice that has just begun is a step old. It is played from its beginning, because that is
     // often the loudest part.
     const bool new_one = state.time < 0.1 * std::max(1.0, state.rate);
-    // A synth computes all samples up to its position, so that of a long pause is not beyond its
-    // end.
+    // A synth computes all samples up to its position, so the position is at most the end.
     const double time = state.loops && state.duration > 0 ? std::fmod(state.time, state.duration)
                                                           : std::min(state.time, state.duration);
     voice.position = new_one ? 0 : time;

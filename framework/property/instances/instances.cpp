@@ -1,11 +1,22 @@
 #include "instances.h"
 
+#include <values/weight.h>
+
 namespace fettle::property {
 
 const Cell Reads::structure{0, Symbol("*")};
 
 void Reads::add(Cell cell, Handle instance, const Property* property) const {
     list_->push_back({cell, instance, property});
+}
+
+std::int64_t Instances::weight_of(std::uint32_t index) const {
+    const Node& node = nodes[index];
+    std::int64_t sum = weight_of_instance + std::int64_t{class_of(node).weight()};
+    if (node.has_ad_hoc)
+        for (const auto& [name, cell] : ad_hoc.of_instance.at(index))
+            sum += weight_of_own_property + weight_beside(cell.second);
+    return sum;
 }
 
 void Instances::throw_deleted(Handle handle) const {

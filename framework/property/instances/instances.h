@@ -38,6 +38,9 @@ struct Instances {
     std::vector<Symbol> reserved_names;
 
     const Class& class_of(const Node& node) const { return classes[node.class_id]; }
+    /// Estimated memory of an instance with its ad-hoc properties, without its name and without
+    /// what is in `TreeWeight::content` (instances.cpp).
+    std::int64_t weight_of(std::uint32_t index) const;
     /// Throws Error(deleted).
     Node& require(Handle handle) {
         Node* node = nodes.find(handle);

@@ -200,7 +200,7 @@ void TreeImage::drop(std::uint32_t index) {
     while (now_.nodes[index].first_child != 0)
         s.structure.destroy_below(now_.nodes[index].first_child);
     const Class& of = now_.classes[now_.nodes[index].class_id];
-    s.changes.weight.add(-s.weight_of(index));
+    s.changes.weight.add(-now_.weight_of(index));
     s.changes.weight.remove_content(index);
     if (now_.stored[of.id()]) now_.stored[of.id()]->remove(now_.nodes[index].stored_row);
     if (now_.nodes[index].has_ad_hoc) now_.ad_hoc.of_instance.erase(index);

@@ -2,8 +2,6 @@
 
 #include <fettle/property/exception_text.h>
 
-#include <values/weight.h>
-
 #include "structure.h"
 
 namespace fettle::property {
@@ -56,14 +54,9 @@ void Structure::destroy_one(std::uint32_t index, const Cause& cause, bool rememb
     // After the lifecycle function, which may begin to watch.
     changes.shadows.forget(tree, self);
     if (instances.stored[of.id()]) instances.stored[of.id()]->remove(nodes[index].stored_row);
-    changes.weight.add(-weight_of_instance - std::int64_t{of.weight()});
+    changes.weight.add(-instances.weight_of(index));
     changes.weight.remove_content(index);
-    if (nodes[index].has_ad_hoc) {
-        const auto own = instances.ad_hoc.of_instance.find(index);
-        for (const auto& [name_of_own, cell] : own->second)
-            changes.weight.add(-weight_of_own_property - weight_beside(cell.second));
-        instances.ad_hoc.of_instance.erase(own);
-    }
+    if (nodes[index].has_ad_hoc) instances.ad_hoc.of_instance.erase(index);
     instances.ad_hoc.tracks.erase(index);
     nodes.unlink(index);
     nodes.release(index, instances.keep_slots);

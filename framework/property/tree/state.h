@@ -88,9 +88,7 @@ struct Tree::State {
     void note_content(Handle instance, const Node& node, const Property& property,
                       const Value& old);
 
-    /// The memory of an instance with its ad-hoc properties, or of all, without what is in
-    /// `TreeWeight::content`.
-    std::int64_t weight_of(std::uint32_t index) const;
+    /// The sum of `Instances::weight_of`.
     std::int64_t weight_of_instances() const;
     /// The texts and lists of all instances, as `TreeWeight::content` has them.
     TreeWeight::Content read_content() const;

@@ -34,19 +34,10 @@ void Tree::State::note_content(Handle instance, const Node& node, const Property
         changes.weight.add_content(instance.index, grown);
 }
 
-std::int64_t Tree::State::weight_of(std::uint32_t index) const {
-    const Node& node = instances.nodes[index];
-    std::int64_t sum = weight_of_instance + std::int64_t{instances.class_of(node).weight()};
-    if (node.has_ad_hoc)
-        for (const auto& [name, cell] : instances.ad_hoc.of_instance.at(index))
-            sum += weight_of_own_property + weight_beside(cell.second);
-    return sum;
-}
-
 std::int64_t Tree::State::weight_of_instances() const {
     std::int64_t sum = 0;
     for (std::uint32_t i = 1; i < instances.nodes.end(); ++i)
-        if (instances.nodes[i].alive()) sum += weight_of(i);
+        if (instances.nodes[i].alive()) sum += instances.weight_of(i);
     return sum;
 }
 

@@ -13,8 +13,8 @@ namespace {
 using property::Field;
 using property::Record;
 
-/// For each step, the bodies that are awake in it and the points that are added, and a part of the
-/// others. The copy makes no step beyond.
+/// For each step, the bodies that are awake in it, or the points that are added if these are more,
+/// and a part of the bodies that are looked at. The copy makes no step beyond.
 constexpr std::size_t most_work = 300'000;
 /// A body that stays this near to its place does not move, m and rad.
 constexpr double least_motion = 1e-3;
@@ -29,7 +29,7 @@ const std::vector<Field> ghost_fields = {
     {"angle", Type::number, "rad", "Its angle at the end."},
 };
 
-/// The path of a body, one point for each step; only the first one as long as it does not move.
+/// The path of a body, one point for each step; only the first one as long as it stays there.
 struct Path {
     std::uint32_t body;
     double first_angle;
@@ -63,20 +63,22 @@ property::Result ghosts(Hosting& hosting, std::uint32_t number, double seconds) 
         if (body.type() != physics::BodyType::static_body)
             paths.push_back({body.index(), static_cast<double>(body.angle()), {body.position()}});
     const auto steps = static_cast<int>(std::ceil(seconds / hosting.last_dt - 1e-9));
-    std::size_t work = 0;
-    for (int i = 0; i < steps && work < most_work; ++i) {
+    std::size_t work = 0, made = 0;
+    for (; made < static_cast<std::size_t>(steps) && work < most_work; ++made) {
         copy.step(static_cast<float>(hosting.last_dt));
-        work += copy.statistics().awake_bodies + 1 + paths.size() / 8;
+        std::size_t points = 0;
         for (Path& path : paths)
-            work += path.add(static_cast<std::size_t>(i),
-                             physics::HostAccess::state(copy, path.body).position);
+            points += path.add(made, physics::HostAccess::state(copy, path.body).position);
+        work +=
+            std::max<std::size_t>(copy.statistics().awake_bodies, points) + 1 + paths.size() / 32;
     }
     std::vector<Record> records;
-    for (const Path& path : paths) {
+    for (Path& path : paths) {
         const auto angle = static_cast<double>(physics::HostAccess::state(copy, path.body).angle);
         const physics::BodyId id{path.body, physics::HostAccess::body_generation(copy, path.body)};
         const Handle instance = hosting.instance_of(hosted.world.body(id).user_data());
         if (!instance || !moves(path, angle)) continue;
+        path.points.resize(made + 1, path.points.front());  // of a body that only turns
         property::List points;
         points.reserve(path.points.size());
         for (const physics::Vec2& point : path.points) points.push_back(to_value(point));

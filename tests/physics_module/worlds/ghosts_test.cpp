@@ -39,6 +39,26 @@ TEST_CASE_METHOD(Ahead, "a ghost is where its body will be after the same steps"
     CHECK(get(ball, "angle") == seen[0].get("angle"));
 }
 
+TEST_CASE_METHOD(Ahead, "a ghost that only turns has a point for each step") {
+    set(world(), "gravity", Vec2(0, 0));
+    const Handle wheel = body("Circle", {2, 3}), late = body("Circle", {6, 3});
+    set(wheel, "angular_velocity", 2.0);
+    set(late, "velocity", Vec2(1, 0));
+    const auto seen = ghosts({1.0});
+    REQUIRE(seen.size() == 2);
+    for (const Record& each : seen) CHECK(each.get("points").list().size() == 61);
+    CHECK(seen[0].get("points").list().back() == Vec2(2, 3));
+}
+
+TEST_CASE_METHOD(Ahead, "looking ahead is as long for bodies that move as before") {
+    set(world(), "gravity", Vec2(0, 0));
+    for (int i = 0; i < 1200; ++i)
+        set(body("Circle", {3.0 * (i % 40), 3.0 * (i / 40)}), "velocity", Vec2(0.1, 0));
+    const auto seen = ghosts({4.0});
+    REQUIRE(seen.size() == 1200);
+    CHECK(seen[0].get("points").list().size() == 241);
+}
+
 TEST_CASE_METHOD(Ahead, "looking ahead changes no bit of the game") {
     floor();
     for (int i = 0; i < 12; ++i) body(i % 2 == 0 ? "Box" : "Circle", {0.3 * i, 1.1 * i + 0.6});

@@ -70,7 +70,8 @@ class PhysicsModule : public module::Module {
     // type of geometry or a field another type of force (the class of the instance says which it
     // is), `clear`, `restore`, `take`, assigning a world and `set_user_data` throw physics::Locked
     // (physics/owner.h). All other methods may be called except `World::set_owner`, which the
-    // module uses, and, while a handler listens, the setters of the world's callbacks. An instance
+    // module uses, and, while a handler listens, the setters of the world's callbacks. Handlers
+    // run on the thread that steps, also after `World::set_parallel_callbacks(true)`. An instance
     // that is deleted inside a function that its world calls is removed from the tree at once, and
     // from the world at the end of that step or query.
 
